@@ -1,0 +1,3 @@
+//! The rig language: text in, checked rig out.
+pub mod rig;
+pub mod units;
