@@ -1,1 +1,17 @@
-//! (to be written)
+//! From a checked rig to equations, and from equations to text and code.
+//!
+//! `expr` is the symbolic core; `lower` puts a rig's expressions onto it; `mechanics` derives;
+//! `derive` strings the passes together and hands out [`Equations`]; `display` writes them as a
+//! person would; `emit` prints code. Never prints to a terminal, never reads files.
+#![forbid(unsafe_code)]
+
+mod derive;
+pub mod display;
+mod equations;
+pub mod expr;
+mod lower;
+mod mechanics;
+
+pub use derive::{DeriveError, Options, derive};
+pub use equations::{CrossCheck, Equations, Layout, Linear, OutputVariable, Variable};
+pub use lower::Lumps;

@@ -1,0 +1,5 @@
+//! Equations as a person writes them.
+
+mod plain;
+
+pub use plain::plain;

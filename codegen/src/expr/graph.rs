@@ -1,0 +1,272 @@
+//! Nodes, symbols, labels and the arena that holds them.
+
+use indexmap::{IndexMap, IndexSet};
+use rustc_hash::FxBuildHasher;
+
+/// A node of a [`Graph`].
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct Id(pub(crate) u32);
+
+impl Id {
+    /// Position in the arena.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A symbol of a [`Graph`].
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct SymbolId(pub(crate) u32);
+
+impl SymbolId {
+    /// Position in the table of symbols.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What a symbol stands for in a model.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum SymbolKind {
+    /// Time [s].
+    Time,
+    /// Coordinate `q[i]`.
+    Coordinate(usize),
+    /// Rate `v[i]`.
+    Rate(usize),
+    /// Actuator state `z[i]`.
+    Lag(usize),
+    /// Signal `u[i]`: inputs, then accelerations of prescribed coordinates.
+    Signal(usize),
+    /// Parameter `p[i]`.
+    Parameter(usize),
+    /// Acceleration `a[i]`: argument of inverse dynamics.
+    Acceleration(usize),
+    /// A definition (lump) kept by its name in display forms.
+    Definition(usize),
+}
+
+/// Name and meaning of a symbol.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub struct SymbolInfo {
+    /// Name as in the rig: `eps`, `eps.dot`, `m_h`.
+    pub name: String,
+    /// Meaning.
+    pub kind: SymbolKind,
+}
+
+/// Functions of one argument.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum F1 {
+    /// sin
+    Sin,
+    /// cos
+    Cos,
+    /// tan
+    Tan,
+    /// asin
+    Asin,
+    /// acos
+    Acos,
+    /// atan
+    Atan,
+    /// sinh
+    Sinh,
+    /// cosh
+    Cosh,
+    /// tanh
+    Tanh,
+    /// exp
+    Exp,
+    /// natural logarithm
+    Ln,
+    /// square root
+    Sqrt,
+    /// absolute value
+    Abs,
+    /// -1, 0, 1
+    Sign,
+    /// 1 for x > 0, else 0
+    Step,
+    /// tanh as the regularized sign of Coulomb friction: its slope may be left out of derivatives.
+    SmoothSign,
+}
+
+/// Functions of two arguments.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum F2 {
+    /// atan2(y, x)
+    Atan2,
+    /// min(a, b)
+    Min,
+    /// max(a, b)
+    Max,
+    /// a^b with a real exponent
+    Pow,
+}
+
+/// One operation over older nodes.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum Node {
+    /// Number, by its bits (never -0.0, never NaN from construction of finite numbers).
+    Number(u64),
+    /// Symbol.
+    Symbol(SymbolId),
+    /// a + b, a <= b
+    Add(Id, Id),
+    /// a - b
+    Sub(Id, Id),
+    /// a * b, a <= b
+    Mul(Id, Id),
+    /// a / b
+    Div(Id, Id),
+    /// -a
+    Neg(Id),
+    /// a^n, n not 0, 1, 2
+    Powi(Id, i32),
+    /// f(a)
+    Call(F1, Id),
+    /// f(a, b)
+    Call2(F2, Id, Id),
+}
+
+impl Node {
+    /// Operands.
+    #[must_use]
+    pub fn operands(self) -> [Option<Id>; 2] {
+        match self {
+            Node::Number(_) | Node::Symbol(_) => [None, None],
+            Node::Add(a, b) | Node::Sub(a, b) | Node::Mul(a, b) | Node::Div(a, b) | Node::Call2(_, a, b) => [Some(a), Some(b)],
+            Node::Neg(a) | Node::Powi(a, _) | Node::Call(_, a) => [Some(a), None],
+        }
+    }
+
+    /// No operation: number or symbol.
+    #[must_use]
+    pub fn is_leaf(self) -> bool {
+        matches!(self, Node::Number(_) | Node::Symbol(_))
+    }
+}
+
+/// Hash-consed arena of expressions.
+#[derive(Clone, Default, Debug)]
+pub struct Graph {
+    pub(super) nodes: IndexSet<Node, FxBuildHasher>,
+    pub(super) symbols: IndexSet<SymbolInfo, FxBuildHasher>,
+    labels: IndexMap<Id, String, FxBuildHasher>,
+    scope: String,
+    scopes: Vec<u32>,
+    scope_names: IndexSet<String, FxBuildHasher>,
+}
+
+impl Graph {
+    /// Empty graph.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Number of nodes ever made.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// No node yet.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The operation of a node.
+    #[must_use]
+    pub fn node(&self, id: Id) -> Node {
+        self.nodes[id.index()]
+    }
+
+    /// The number, if the node is one.
+    #[must_use]
+    pub fn number_of(&self, id: Id) -> Option<f64> {
+        match self.node(id) {
+            Node::Number(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// The symbol, if the node is one.
+    #[must_use]
+    pub fn symbol_of(&self, id: Id) -> Option<SymbolId> {
+        match self.node(id) {
+            Node::Symbol(s) => Some(s),
+            _ => None,
+        }
+    }
+
+    /// Name and meaning of a symbol.
+    #[must_use]
+    pub fn symbol_info(&self, symbol: SymbolId) -> &SymbolInfo {
+        &self.symbols[symbol.index()]
+    }
+
+    /// Symbols in the order in which they were made.
+    pub fn symbols(&self) -> impl Iterator<Item = (SymbolId, &SymbolInfo)> {
+        self.symbols.iter().enumerate().map(|(i, s)| (SymbolId(i as u32), s))
+    }
+
+    /// The node of the symbol of this name and meaning, made if it is new.
+    pub fn symbol(&mut self, name: &str, kind: SymbolKind) -> Id {
+        let (index, _) = self.symbols.insert_full(SymbolInfo { name: name.to_owned(), kind });
+        self.insert(Node::Symbol(SymbolId(index as u32)))
+    }
+
+    /// Looks a symbol up by its meaning.
+    #[must_use]
+    pub fn find_symbol(&self, kind: SymbolKind) -> Option<SymbolId> {
+        self.symbols.iter().position(|s| s.kind == kind).map(|i| SymbolId(i as u32))
+    }
+
+    /// Names a node for emitted code (`omega_arm_y`). The first name stays; leaves keep their own.
+    pub fn label(&mut self, id: Id, name: impl Into<String>) {
+        if self.node(id).is_leaf() {
+            return;
+        }
+        // the label goes with the value without its sign, since signs move through rewrites
+        let id = match self.node(id) {
+            Node::Neg(a) if !self.node(a).is_leaf() => a,
+            _ => id,
+        };
+        self.labels.entry(id).or_insert_with(|| name.into());
+    }
+
+    /// Name given to a node.
+    #[must_use]
+    pub fn label_of(&self, id: Id) -> Option<&str> {
+        self.labels.get(&id).map(String::as_str)
+    }
+
+    /// Sets what the nodes made from now on are about (`heli`, `M`, `force on heli`).
+    pub fn set_scope(&mut self, scope: impl Into<String>) {
+        self.scope = scope.into();
+    }
+
+    /// What was being derived when a node was made first.
+    #[must_use]
+    pub fn scope_of(&self, id: Id) -> &str {
+        let index = self.scopes[id.index()] as usize;
+        self.scope_names.get_index(index).map_or("", String::as_str)
+    }
+
+    pub(super) fn insert(&mut self, node: Node) -> Id {
+        let (index, new) = self.nodes.insert_full(node);
+        if new {
+            let scope = match self.scope_names.get_index_of(&self.scope) {
+                Some(scope) => scope,
+                None => self.scope_names.insert_full(self.scope.clone()).0,
+            };
+            self.scopes.push(scope as u32);
+        }
+        Id(index as u32)
+    }
+}
