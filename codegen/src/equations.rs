@@ -73,6 +73,30 @@ pub struct Equations {
     pub hash: String,
 }
 
+impl Equations {
+    /// x' = [v | a | z'].
+    #[must_use]
+    pub fn state_derivative(&self) -> Vec<Id> {
+        let rates = self.layout.v.iter().map(|v| self.graph.node_of_symbol(v.symbol));
+        rates.chain(self.acceleration.iter().copied()).chain(self.lag_rates.iter().copied()).collect()
+    }
+
+    /// Scalar operations of forward dynamics, common subexpressions shared.
+    #[must_use]
+    pub fn forward_operations(&self) -> usize {
+        self.graph.operations(&self.state_derivative())
+    }
+
+    /// Scalar operations of forward dynamics together with A and B.
+    #[must_use]
+    pub fn jacobian_operations(&self) -> usize {
+        let mut roots = self.state_derivative();
+        roots.extend(self.linear.a.iter().flatten());
+        roots.extend(self.linear.b.iter().flatten());
+        self.graph.operations(&roots)
+    }
+}
+
 /// State and input Jacobians of x'.
 pub struct Linear {
     /// states x states.

@@ -7,6 +7,7 @@
 
 mod derive;
 pub mod display;
+pub mod emit;
 mod equations;
 pub mod expr;
 mod lower;

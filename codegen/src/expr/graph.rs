@@ -221,6 +221,13 @@ impl Graph {
         self.insert(Node::Symbol(SymbolId(index as u32)))
     }
 
+    /// The node of a symbol that was made before.
+    #[must_use]
+    pub fn node_of_symbol(&self, symbol: SymbolId) -> Id {
+        // every symbol was inserted as a node when it was made
+        Id(self.nodes.get_index_of(&Node::Symbol(symbol)).unwrap_or(0) as u32)
+    }
+
     /// Looks a symbol up by its meaning.
     #[must_use]
     pub fn find_symbol(&self, kind: SymbolKind) -> Option<SymbolId> {
