@@ -8,6 +8,8 @@ mod check;
 mod jacobians;
 mod parts;
 
+pub(crate) use parts::BodyRoad;
+
 use crate::equations::{Equations, Layout, OutputVariable, Variable};
 use crate::expr::{Graph, Id};
 use crate::lower::{Lowering, Lumps};

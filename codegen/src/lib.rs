@@ -12,7 +12,9 @@ mod equations;
 pub mod expr;
 mod lower;
 mod mechanics;
+mod regressor;
 
 pub use derive::{DeriveError, Options, derive};
 pub use equations::{CrossCheck, Equations, Layout, Linear, OutputVariable, Variable};
 pub use lower::Lumps;
+pub use regressor::{Column, Regressor, regressor};

@@ -196,22 +196,10 @@ impl Lowering {
         }
     }
 
-    /// Node of a coordinate.
-    #[must_use]
-    pub fn coordinate(&self, i: usize) -> Id {
-        self.coordinates[i]
-    }
-
     /// Nodes of the rates.
     #[must_use]
     pub fn rates(&self) -> &[Id] {
         &self.rates
-    }
-
-    /// Node of a definition.
-    #[must_use]
-    pub fn definition(&self, i: usize) -> Id {
-        self.definitions[i]
     }
 
     /// Puts a checked expression onto the graph.

@@ -111,6 +111,6 @@ fn symbol(equations: &Equations, s: SymbolId) -> String {
         SymbolKind::Signal(i) => format!("u[{i}]"),
         SymbolKind::Parameter(i) => format!("p[{i}]"),
         // not in forward dynamics and its Jacobians
-        SymbolKind::Acceleration(_) | SymbolKind::Definition(_) => "ca.SX(float('nan'))".to_owned(),
+        SymbolKind::Acceleration(_) | SymbolKind::Definition(_) | SymbolKind::Inertial(_) => "ca.SX(float('nan'))".to_owned(),
     }
 }

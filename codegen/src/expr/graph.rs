@@ -46,6 +46,8 @@ pub enum SymbolKind {
     Acceleration(usize),
     /// A definition (lump) kept by its name in display forms.
     Definition(usize),
+    /// Inertial parameter of a regressor.
+    Inertial(usize),
 }
 
 /// Name and meaning of a symbol.
