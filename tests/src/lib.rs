@@ -1,1 +1,40 @@
-//! (to be written)
+//! Shared pieces of the cross-crate checks: where things lie, repeatable random numbers, random rigs.
+
+pub mod close;
+pub mod random;
+pub mod random_rig;
+
+use std::path::PathBuf;
+
+/// The project's folder.
+#[must_use]
+pub fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(PathBuf::new, PathBuf::from)
+}
+
+/// All rigs of `examples/rigs`, by name, in order.
+#[must_use]
+pub fn example_rigs() -> Vec<PathBuf> {
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(root().join("examples/rigs"))
+        .map(|entries| entries.flatten().map(|e| e.path()).filter(|p| p.extension().is_some_and(|x| x == "rig")).collect())
+        .unwrap_or_default();
+    paths.sort();
+    paths
+}
+
+/// Reads, checks and returns the rig of a file.
+///
+/// # Panics
+/// Shows the diagnostics where the rig is wrong: this is for tests.
+#[must_use]
+pub fn rig_of(path: &std::path::Path) -> model_dsl::rig::Rig {
+    let checked = model_dsl::check(&path.display().to_string(), &model_dsl::FileLoader, &model_dsl::CheckOptions::default());
+    let shown: Vec<String> = checked.diagnostics.iter().map(|d| d.render(&checked.sources, false)).collect();
+    checked.rig.unwrap_or_else(|| panic!("{}:\n{}", path.display(), shown.join("\n")))
+}
+
+/// The folder of measured records and independent numbers, if the environment names it and it is there.
+#[must_use]
+pub fn record_folder() -> Option<PathBuf> {
+    std::env::var_os("RIG_DATA").map(PathBuf::from).filter(|p| p.is_dir())
+}

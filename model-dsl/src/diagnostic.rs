@@ -1,0 +1,178 @@
+//! Errors as part of the product: where, what, how to mend it. One static catalogue of codes.
+
+use crate::rig::Span;
+use crate::source::{Place, Sources};
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// No rig comes out.
+    Error,
+    /// Probably a mistake.
+    Warning,
+    /// For information.
+    Note,
+}
+
+/// One finding about a rig.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnostic {
+    /// Code of [`CATALOGUE`].
+    pub code: &'static str,
+    /// How bad.
+    pub severity: Severity,
+    /// What is wrong, in the words of mechanics.
+    pub message: String,
+    /// Places, the first one is the main one.
+    pub labels: Vec<(Span, String)>,
+    /// How to mend it.
+    pub helps: Vec<String>,
+}
+
+impl Diagnostic {
+    /// An error at a place.
+    pub fn error(code: &'static str, message: impl Into<String>, span: Span, label: impl Into<String>) -> Self {
+        Self { code, severity: Severity::Error, message: message.into(), labels: vec![(span, label.into())], helps: Vec::new() }
+    }
+
+    /// A warning at a place.
+    pub fn warning(code: &'static str, message: impl Into<String>, span: Span, label: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, ..Self::error(code, message, span, label) }
+    }
+
+    /// A note at a place.
+    pub fn note(code: &'static str, message: impl Into<String>, span: Span, label: impl Into<String>) -> Self {
+        Self { severity: Severity::Note, ..Self::error(code, message, span, label) }
+    }
+
+    /// With another place.
+    #[must_use]
+    pub fn also(mut self, span: Span, label: impl Into<String>) -> Self {
+        self.labels.push((span, label.into()));
+        self
+    }
+
+    /// With a way to mend it.
+    #[must_use]
+    pub fn help(mut self, text: impl Into<String>) -> Self {
+        self.helps.push(text.into());
+        self
+    }
+
+    /// Where its main label starts.
+    #[must_use]
+    pub fn place(&self, sources: &Sources) -> Option<Place> {
+        self.labels.first().and_then(|(span, _)| sources.place(*span))
+    }
+
+    /// In rustc's look.
+    #[must_use]
+    pub fn render(&self, sources: &Sources, color: bool) -> String {
+        let level = match self.severity {
+            Severity::Error => Level::ERROR,
+            Severity::Warning => Level::WARNING,
+            Severity::Note => Level::NOTE,
+        };
+        let mut group = level.primary_title(self.message.as_str()).id(self.code).elements(Vec::<annotate_snippets::Message>::new());
+        let mut files: Vec<u32> = Vec::new();
+        for (span, _) in &self.labels {
+            if !files.contains(&span.file) {
+                files.push(span.file);
+            }
+        }
+        for file in files {
+            let Some((name, text)) = sources.files.get(file as usize) else { continue };
+            let mut snippet = Snippet::source(text.as_str()).path(name.as_str()).line_start(1);
+            for (k, (span, label)) in self.labels.iter().enumerate() {
+                if span.file != file {
+                    continue;
+                }
+                let kind = if k == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
+                let end = (span.end as usize).min(text.len());
+                let start = (span.start as usize).min(end);
+                snippet = snippet.annotation(kind.span(start..end).label(label.as_str()));
+            }
+            group = group.element(snippet);
+        }
+        for help in &self.helps {
+            group = group.element(Level::HELP.message(help.as_str()));
+        }
+        let renderer = if color { Renderer::styled() } else { Renderer::plain() };
+        renderer.render(&[group])
+    }
+}
+
+/// The nearest of `names` to a misspelt one, if any is near.
+pub fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let limit = (name.chars().count() / 3).max(1);
+    names
+        .into_iter()
+        .filter(|n| *n != name)
+        .map(|n| (distance(&name.to_lowercase(), &n.to_lowercase()), n))
+        .filter(|(d, _)| *d <= limit)
+        .min_by_key(|(d, n)| (*d, n.len()))
+        .map(|(_, n)| n)
+}
+
+/// Edit distance with transpositions of neighbours (optimal string alignment).
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).collect(), b.chars().take(64).collect());
+    let mut rows = vec![(0..=b.len()).collect::<Vec<usize>>()];
+    for i in 1..=a.len() {
+        let mut row = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let swap = usize::from(a[i - 1] != b[j - 1]);
+            row[j] = (rows[i - 1][j] + 1).min(row[j - 1] + 1).min(rows[i - 1][j - 1] + swap);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                row[j] = row[j].min(rows[i - 2][j - 2] + 1);
+            }
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}
+
+/// Every code and what it stands for.
+pub const CATALOGUE: &[(&str, &str)] = &[
+    ("E0101", "a character without meaning"),
+    ("E0102", "a number that overflows or is no number"),
+    ("E0103", "a comment or text that is never closed"),
+    ("E0104", "a file that cannot be read"),
+    ("E0105", "files that use each other in a circle"),
+    ("E0111", "something else was expected here"),
+    ("E0112", "an unknown statement"),
+    ("E0113", "nested too deeply"),
+    ("E0114", "no rig in the file, or not the one asked for"),
+    ("E0115", "a block lacks an entry, or has one twice"),
+    ("E0201", "an unknown name"),
+    ("E0202", "a name declared twice"),
+    ("E0203", "an unknown unit"),
+    ("E0204", "definitions that stand for each other in a circle"),
+    ("E0205", "a function with the wrong number of arguments"),
+    ("E0206", "a name of the wrong kind for this place"),
+    ("E0207", "`replace` or `remove` of what is not there"),
+    ("E0208", "rigs that extend each other in a circle"),
+    ("E0231", "a quantity of another dimension was expected"),
+    ("E0232", "terms of different dimensions in a sum"),
+    ("E0233", "a function or exponent needs a number without dimension"),
+    ("E0234", "hertz where radians per second are meant"),
+    ("E0301", "frames in a circle"),
+    ("E0302", "an angle or offset that is not affine in the coordinates"),
+    ("E0303", "an inertia tensor that no mass distribution has"),
+    ("E0304", "a coordinate that moves no inertia"),
+    ("E0305", "a coordinate that nothing uses"),
+    ("E0306", "a mass that is negative"),
+    ("E0307", "equations written directly that do not fit the rig"),
+    ("E0308", "a kinetic function that is not quadratic in the rates"),
+    ("E0309", "a mix of inputs that cannot be undone"),
+    ("E0310", "bounds, limits or priors that make no sense"),
+    ("E0311", "a trim with more unknowns than equations, or fewer"),
+    ("E0312", "an assumption that does not fit the rig"),
+    ("E0313", "an axis of length zero"),
+    ("E0314", "a parameter's value cannot be computed"),
+    ("W0401", "a parameter that nothing uses"),
+    ("W0402", "an input that nothing uses"),
+    ("W0403", "a frame that carries nothing"),
+    ("N0501", "a parameter that only an assumption made unused"),
+];
