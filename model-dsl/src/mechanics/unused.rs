@@ -27,8 +27,13 @@ pub(super) fn coordinates(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) ->
     for (q, _) in c.rig.coordinates.iter().zip(&unused).filter(|(_, u)| **u) {
         let step = if q.unit.text == "m" { format!("translate({}, 0, 0)", q.name) } else { format!("rotate(z, {})", q.name) };
         diagnostics.push(
-            Diagnostic::error("E0305", format!("nothing uses the coordinate `{}`", q.name), q.span, "declared here")
-                .help(format!("let a frame move with it, as in `frame NAME = ground.{step};`, or remove it")),
+            Diagnostic::error(
+                "E0305",
+                format!("nothing moves with the coordinate `{}`", q.name),
+                q.span,
+                "no frame, force or equation depends on it",
+            )
+            .help(format!("let a frame move with it, as in `frame NAME = ground.{step};`, or remove it")),
         );
     }
     unused
