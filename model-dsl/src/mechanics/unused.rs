@@ -56,13 +56,11 @@ pub(super) fn check(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) {
             );
         }
     }
-    for (k, d) in c.rig.definitions.iter().enumerate() {
-        if d.parameter.is_none() && !c.used.contains(&Symbol::Definition(k)) {
-            let what = if d.is_lump { "lump" } else { "derived parameter" };
-            diagnostics.push(
-                Diagnostic::warning("W0401", format!("nothing uses the {what} `{}`", d.name), d.span, "declared here")
-                    .help("remove it, or use it"),
-            );
+    // a lump may be there only to name what equations show
+    for (k, d) in c.rig.definitions.iter().enumerate().filter(|(_, d)| !d.is_lump) {
+        if !c.used.contains(&Symbol::Definition(k)) {
+            let message = format!("nothing uses the derived parameter `{}`", d.name);
+            diagnostics.push(Diagnostic::warning("W0401", message, d.span, "declared here").help("remove it, or use it"));
         }
     }
     signals(c, diagnostics);

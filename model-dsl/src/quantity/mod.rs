@@ -286,7 +286,7 @@ impl Checker<'_> {
     fn finite(&mut self, expr: &Expr, span: Span, why: &str) -> Option<()> {
         match expr {
             Expr::Number(x) if !x.is_finite() => {
-                self.diagnostics.push(Diagnostic::error("E0102", "this has no finite value", span, why).help("numbers go up to 1.8e308"));
+                self.diagnostics.push(Diagnostic::error("E0102", "this has no finite value", span, why));
                 None
             }
             _ => Some(()),
