@@ -1,0 +1,102 @@
+//! The command line: what can be asked, and how. Wrong usage ends with exit code 2.
+
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+/// Rig text in, models out.
+#[derive(Parser)]
+#[command(name = "rig", version, about, max_term_width = 100)]
+pub struct Arguments {
+    /// One JSON document on standard output, and nothing else there.
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// Subcommands.
+#[derive(Subcommand)]
+pub enum Command {
+    /// Parse a rig; check names, units and mechanics.
+    Check(File),
+    /// Numbers at one state: M, bias, forces, accelerations, Jacobians.
+    Eval(Eval),
+    /// Find an operating point.
+    Trim(Trim),
+    /// Linear models at operating points.
+    Linearize(Linearize),
+}
+
+/// A rig file and changes of its parameters.
+#[derive(Args, Clone)]
+pub struct File {
+    /// The rig (`.rig`).
+    pub file: PathBuf,
+    /// Which rig of the file (default: the last one).
+    #[arg(long, value_name = "NAME")]
+    pub rig: Option<String>,
+    /// Override a parameter: `name=value`, with an optional unit (`theta0=5deg`).
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Use the definitions behind lumps instead of their own values.
+    #[arg(long)]
+    pub expand_lumps: bool,
+}
+
+/// `rig eval`.
+#[derive(Args)]
+pub struct Eval {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// A coordinate, rate (`eps.dot`), actuator state (`f_1.lag`) or input; what is not given is 0.
+    #[arg(long = "at", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub at: Vec<String>,
+    /// Time [s].
+    #[arg(long, default_value_t = 0.0)]
+    pub time: f64,
+}
+
+/// An operating point.
+#[derive(Args, Clone)]
+pub struct Point {
+    /// Named trim of the rig (default: its first one).
+    #[arg(long, value_name = "NAME")]
+    pub trim: Option<String>,
+    /// A coordinate, rate or input of the operating point. Giving what the trim would solve for takes
+    /// the point as it is, without solving.
+    #[arg(long = "at", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub at: Vec<String>,
+}
+
+/// `rig trim`.
+#[derive(Args)]
+pub struct Trim {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Point.
+    #[command(flatten)]
+    pub point: Point,
+}
+
+/// `rig linearize`.
+#[derive(Args)]
+pub struct Linearize {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Point.
+    #[command(flatten)]
+    pub point: Point,
+    /// Inputs of the linear model, mixed ones by their names: `f_s,f_d`.
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub inputs: Vec<String>,
+    /// A series of points: `name=a:b:n`.
+    #[arg(long, value_name = "NAME=A:B:N", allow_hyphen_values = true)]
+    pub sweep: Option<String>,
+    /// Keep the slope of regularized Coulomb friction.
+    #[arg(long)]
+    pub friction_slope: bool,
+}

@@ -1,0 +1,29 @@
+//! One file a subcommand.
+
+mod check;
+mod eval;
+mod linearize;
+mod trim;
+
+use crate::args::{Arguments, Command};
+use crate::failure::Failure;
+use crate::output::Answer;
+use codegen::{CrossCheck, Equations};
+
+/// Runs what was asked for.
+pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
+    match arguments.command {
+        Command::Check(a) => check::run(&a),
+        Command::Eval(a) => eval::run(&a),
+        Command::Trim(a) => trim::run(&a),
+        Command::Linearize(a) => linearize::run(&a),
+    }
+}
+
+/// How the derivation was checked, in one sentence.
+pub fn verdict(equations: &Equations) -> &'static str {
+    match equations.cross_check {
+        CrossCheck::Agree { .. } => "Derived twice, agree; energy balance holds.",
+        CrossCheck::NotApplicable => "Equations written directly: no second derivation, no energies.",
+    }
+}
