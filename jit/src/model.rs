@@ -22,7 +22,7 @@ pub struct InProcess {
 struct Labels {
     rig: String,
     states: Vec<String>,
-    signals: Vec<String>,
+    signals: Vec<(String, String)>,
     parameters: Vec<(String, String)>,
     outputs: Vec<(String, String)>,
 }
@@ -35,7 +35,10 @@ impl Names for Labels {
         &self.states[i]
     }
     fn signal(&self, i: usize) -> &str {
-        &self.signals[i]
+        &self.signals[i].0
+    }
+    fn signal_unit(&self, i: usize) -> &str {
+        &self.signals[i].1
     }
     fn parameter(&self, i: usize) -> &str {
         &self.parameters[i].0
@@ -59,7 +62,7 @@ impl InProcess {
         let names = Labels {
             rig: layout.rig.clone(),
             states: layout.x().map(|v| v.name.clone()).collect(),
-            signals: layout.u.iter().map(|v| v.name.clone()).collect(),
+            signals: layout.u.iter().map(|v| (v.name.clone(), v.unit.clone())).collect(),
             parameters: layout.p.iter().map(|v| (v.name.clone(), v.unit.clone())).collect(),
             outputs: layout.outputs.iter().map(|v| (v.name.clone(), v.unit.clone())).collect(),
         };

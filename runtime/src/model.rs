@@ -65,6 +65,10 @@ pub trait Names {
     fn output(&self, i: usize) -> &str;
     /// Unit of parameter i, as text.
     fn parameter_unit(&self, i: usize) -> &str;
+    /// Unit of signal i, as text; empty where it is not known.
+    fn signal_unit(&self, _i: usize) -> &str {
+        ""
+    }
     /// Unit of output i, as text.
     fn output_unit(&self, i: usize) -> &str;
 }
