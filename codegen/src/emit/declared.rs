@@ -5,8 +5,8 @@
 //! `docs/declared-json.md`; [`FORMAT`] changes when the meaning of a field does.
 
 use model_dsl::rig::{
-    Actuator, Along, AssumptionKind, Axis, BinaryOp, Body, Coordinate, EnergyKind, Expr, Force, ForceKind, Frame, FrameRef, Friction, Function,
-    InertiaPoint, Output, Parameter, Rig, Step, Symbol, Trim,
+    Actuator, Along, AssumptionKind, Axis, BinaryOp, Body, Coordinate, EnergyKind, Expr, Force, ForceKind, Frame, FrameRef, Friction,
+    Function, InertiaPoint, Output, Parameter, Rig, Step, Symbol, Trim,
 };
 use serde_json::{Map, Value, json};
 
