@@ -123,7 +123,16 @@ impl InProcess {
     /// # Errors
     /// [`Singular`] where the mass matrix is not positive definite.
     #[allow(clippy::too_many_arguments)]
-    pub fn linearize_without_friction_slope(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64], a: &mut [f64], b: &mut [f64]) -> Result<(), Singular> {
+    pub fn linearize_without_friction_slope(
+        &self,
+        t: f64,
+        x: &[f64],
+        u: &[f64],
+        p: &[f64],
+        dx: &mut [f64],
+        a: &mut [f64],
+        b: &mut [f64],
+    ) -> Result<(), Singular> {
         let e = &self.equations;
         let linear = e.linear_without_friction_slope.as_ref().unwrap_or(&e.linear);
         let program = self.linear_without_friction_slope.get_or_init(|| self.program(&self.linear_roots(linear)));
