@@ -1,6 +1,6 @@
 //! The command line: what can be asked, and how. Wrong usage ends with exit code 2.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// Rig text in, models out.
@@ -26,6 +26,10 @@ pub enum Command {
     Trim(Trim),
     /// Linear models at operating points.
     Linearize(Linearize),
+    /// Simulate a rig under inputs from a record.
+    Simulate(Simulate),
+    /// Lay free runs of rigs over a measured record.
+    Compare(Compare),
 }
 
 /// A rig file and changes of its parameters.
@@ -99,4 +103,71 @@ pub struct Linearize {
     /// Keep the slope of regularized Coulomb friction.
     #[arg(long)]
     pub friction_slope: bool,
+}
+
+/// What a logged input does between its samples.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Hold {
+    /// Keeps the last sample, as a digital-to-analogue converter does.
+    Zero,
+    /// Goes straight from sample to sample.
+    First,
+}
+
+impl From<Hold> for sim::Hold {
+    fn from(hold: Hold) -> Self {
+        match hold {
+            Hold::Zero => Self::Zero,
+            Hold::First => Self::First,
+        }
+    }
+}
+
+/// `rig simulate`.
+#[derive(Args)]
+pub struct Simulate {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Inputs over time: a record (CSV with `t` and the inputs, or a description file).
+    #[arg(long, value_name = "CSV")]
+    pub input: PathBuf,
+    /// Where the simulated outputs and states go.
+    #[arg(long, value_name = "CSV")]
+    pub out: PathBuf,
+    /// Initial coordinates, rates and actuator states; what is not given is 0.
+    #[arg(long = "at", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub at: Vec<String>,
+    /// What logged inputs do between samples.
+    #[arg(long, value_enum, default_value = "zero")]
+    pub hold: Hold,
+    /// Show outputs as encoders do: in counts, and wrapped.
+    #[arg(long)]
+    pub encoders: bool,
+    /// Overwrite the output file.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig compare`.
+#[derive(Args)]
+pub struct Compare {
+    /// Rigs.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// The record.
+    #[arg(long, value_name = "RECORD")]
+    pub data: PathBuf,
+    /// Override a parameter in every rig that has it.
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Use the definitions behind lumps instead of their own values.
+    #[arg(long)]
+    pub expand_lumps: bool,
+    /// Initial coordinates and rates, instead of what the record's start says.
+    #[arg(long = "at", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub at: Vec<String>,
+    /// What logged inputs do between samples.
+    #[arg(long, value_enum, default_value = "zero")]
+    pub hold: Hold,
 }

@@ -1,8 +1,10 @@
 //! One file a subcommand.
 
 mod check;
+mod compare;
 mod eval;
 mod linearize;
+mod simulate;
 mod trim;
 
 use crate::args::{Arguments, Command};
@@ -17,6 +19,8 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Eval(a) => eval::run(&a),
         Command::Trim(a) => trim::run(&a),
         Command::Linearize(a) => linearize::run(&a),
+        Command::Simulate(a) => simulate::run(&a),
+        Command::Compare(a) => compare::run(&a),
     }
 }
 
