@@ -1,0 +1,253 @@
+//! The equations of a rig as a sheet of lines: what stands on the left and on the right of each equation, what
+//! is spelled out in a table, and what the names mean. Printers turn the lines into text or LaTeX.
+
+use super::entries::{Entries, entries};
+use super::text::text;
+use super::tree::{Tree, name_of};
+use crate::equations::{CrossCheck, Equations};
+use crate::lower::Lumps;
+use model_dsl::rig::{Expr, Rig, Symbol};
+
+/// An entry of M that is spelled out in its equation; longer ones stand in a table.
+const SHORT_ENTRY: usize = 30;
+/// A left-hand side that is spelled out.
+const SHORT_LEFT: usize = 64;
+/// Velocity products that are spelled out in their equation.
+const SHORT_PRODUCTS: usize = 80;
+
+/// left = right
+pub struct Line {
+    /// Left-hand side.
+    pub left: Tree,
+    /// Terms of the right-hand side.
+    pub right: Vec<(bool, Tree)>,
+}
+
+/// Everything on the sheet.
+pub struct Sheet {
+    /// Title.
+    pub title: String,
+    /// Names of coordinates and signals.
+    pub q: Vec<String>,
+    /// Names of inputs and exogenous signals.
+    pub u: Vec<String>,
+    /// Assumptions in words.
+    pub assumptions: Vec<String>,
+    /// Equations of motion and of actuator states.
+    pub equations: Vec<Line>,
+    /// Entries of M and velocity products that are too long for their equation.
+    pub table: Vec<Line>,
+    /// Named parts of long entries.
+    pub parts: Vec<Line>,
+    /// Lumps and mixed inputs that occur.
+    pub names: Vec<Line>,
+    /// Lumps with a value of their own: definition, value.
+    pub valued: Vec<(Line, f64)>,
+    /// Outputs that are not just a coordinate.
+    pub outputs: Vec<Line>,
+    /// Sentences about delays, prescribed motion, checks.
+    pub notes: Vec<String>,
+}
+
+/// Puts the sheet together.
+pub fn sheet(rig: &Rig, e: &Equations) -> Sheet {
+    let entries = entries(rig, e);
+    let mut table = Vec::new();
+    let mut equations = Vec::new();
+    let n = rig.coordinates.len();
+    let name = |i: usize| rig.coordinates[i].name.clone();
+    let spelled = spelled_out(&entries);
+    let mut listed: Vec<(usize, usize)> = Vec::new();
+    for i in 0..n {
+        if rig.coordinates[i].prescribed {
+            continue;
+        }
+        let mut left = Vec::new();
+        for j in 0..n {
+            let entry = &entries.mass_matrix[i][j];
+            if entry.is_zero() {
+                continue;
+            }
+            let factor = if spelled[i] {
+                entry.clone()
+            } else {
+                // M is symmetric unless it was written directly
+                let place = if *entry == entries.mass_matrix[j][i] { (i.min(j), i.max(j)) } else { (i, j) };
+                if !listed.contains(&place) {
+                    listed.push(place);
+                }
+                Tree::Entry("M", vec![name(place.0), name(place.1)])
+            };
+            left.push(times(factor, Tree::Name(format!("{}.ddot", name(j)))));
+        }
+        let mut right = Vec::new();
+        let products = &entries.coriolis[i];
+        if text(products).len() > SHORT_PRODUCTS {
+            let entry = Tree::Entry("h", vec![name(i)]);
+            right.push((true, entry.clone()));
+            table.push(Line { left: entry, right: products.clone().into_terms() });
+        } else {
+            push(&mut right, true, products);
+        }
+        push(&mut right, true, &entries.gravity[i]);
+        push(&mut right, true, &entries.springs[i]);
+        push(&mut right, false, &entries.force[i]);
+        push(&mut right, true, &entries.dissipation[i]);
+        equations.push(Line { left: Tree::sum(left), right });
+    }
+    listed.sort_unstable();
+    let mut lines: Vec<Line> = listed
+        .into_iter()
+        .map(|(i, j)| Line { left: Tree::Entry("M", vec![name(i), name(j)]), right: entries.mass_matrix[i][j].clone().into_terms() })
+        .collect();
+    lines.extend(table);
+    for (z, rate) in e.layout.z.iter().zip(&entries.lag_rates) {
+        equations.push(Line { left: Tree::Name(format!("{}.dot", z.name)), right: rate.clone().into_terms() });
+    }
+    let parts: Vec<Line> =
+        entries.parts.iter().map(|(name, tree)| Line { left: Tree::Name(name.clone()), right: tree.clone().into_terms() }).collect();
+    let outputs = outputs(rig, &entries);
+    let mut sheet = Sheet {
+        title: title(rig),
+        q: e.layout.q.iter().map(|v| v.name.clone()).collect(),
+        u: e.layout.u.iter().map(|v| v.name.clone()).collect(),
+        assumptions: e.assumptions.clone(),
+        equations,
+        table: lines,
+        parts,
+        names: Vec::new(),
+        valued: Vec::new(),
+        outputs,
+        notes: notes(rig, e),
+    };
+    explain_names(rig, e, &mut sheet);
+    sheet
+}
+
+/// First line of the documentation, or the rig's name.
+fn title(rig: &Rig) -> String {
+    rig.doc.lines().map(str::trim).find(|l| !l.is_empty()).unwrap_or(&rig.name).to_owned()
+}
+
+/// Rows whose entries of M stand in the equation: all short ones.
+fn spelled_out(entries: &Entries) -> Vec<bool> {
+    entries
+        .mass_matrix
+        .iter()
+        .map(|row| {
+            let lengths: Vec<usize> = row.iter().filter(|t| !t.is_zero()).map(|t| text(t).len()).collect();
+            let alone = lengths.len() == 1 && lengths[0] <= SHORT_LEFT;
+            alone || lengths.iter().all(|&l| l <= SHORT_ENTRY) && lengths.iter().sum::<usize>() <= SHORT_LEFT
+        })
+        .collect()
+}
+
+/// M q'', without a 1 in front and with the sign outside.
+fn times(entry: Tree, acceleration: Tree) -> (bool, Tree) {
+    match entry {
+        Tree::Minus(inner) => (true, Tree::product(vec![*inner, acceleration])),
+        other => (false, Tree::product(vec![other, acceleration])),
+    }
+}
+
+fn push(right: &mut Vec<(bool, Tree)>, minus: bool, tree: &Tree) {
+    right.extend(tree.clone().into_terms().into_iter().map(|(m, t)| (m != minus, t)));
+}
+
+/// Outputs that say more than a coordinate's name.
+fn outputs(rig: &Rig, entries: &Entries) -> Vec<Line> {
+    rig.outputs
+        .iter()
+        .zip(&entries.outputs)
+        .filter(|(o, tree)| **tree != Tree::Name(o.name.clone()))
+        .map(|(o, tree)| Line { left: Tree::Name(o.name.clone()), right: tree.clone().into_terms() })
+        .collect()
+}
+
+fn notes(rig: &Rig, e: &Equations) -> Vec<String> {
+    let mut notes = Vec::new();
+    let seconds = |expr: &Expr| match expr {
+        Expr::Number(x) => format!("{x} s"),
+        other => text(&Tree::of_expr(rig, other)),
+    };
+    for c in rig.coordinates.iter().filter(|c| c.prescribed) {
+        notes.push(match &c.trajectory {
+            Some(trajectory) => format!("{} is prescribed: {} = {}", c.name, c.name, text(&Tree::of_expr(rig, trajectory))),
+            None => format!("{} is moved from outside: {}'' is given", c.name, c.name),
+        });
+    }
+    for actuator in &rig.actuators {
+        if let Some(delay) = &actuator.delay {
+            notes.push(format!("{} acts {} late", actuator.name, seconds(delay)));
+        }
+    }
+    for output in &rig.outputs {
+        if let Some(delay) = &output.delay {
+            notes.push(format!("{} is measured {} late", output.name, seconds(delay)));
+        }
+    }
+    let forward = e.forward_operations();
+    let operations = if e.linear.a.is_empty() {
+        format!("{forward} operations forward.")
+    } else {
+        format!("{forward} operations forward, {} with A and B.", e.jacobian_operations())
+    };
+    notes.push(match e.cross_check {
+        CrossCheck::Agree { .. } => format!(
+            "{operations}   derived twice, agree.   energy balance holds{}.",
+            if e.assumptions.is_empty() { "" } else { " before the assumptions" }
+        ),
+        CrossCheck::NotApplicable => format!("{operations}   written directly: no second derivation and no energy to compare with."),
+    });
+    notes
+}
+
+/// Definitions of the lumps and mixed inputs that occur on the sheet.
+fn explain_names(rig: &Rig, e: &Equations, sheet: &mut Sheet) {
+    let mut used: Vec<String> = Vec::new();
+    for line in sheet.equations.iter().chain(&sheet.table).chain(&sheet.parts).chain(&sheet.outputs) {
+        names_in(&line.left, &mut used);
+        line.right.iter().for_each(|(_, t)| names_in(t, &mut used));
+    }
+    // a lump may stand in another lump's definition
+    for d in rig.definitions.iter().rev() {
+        if used.contains(&d.name) {
+            names_in(&Tree::of_expr(rig, &d.value), &mut used);
+        }
+    }
+    for d in rig.definitions.iter().filter(|d| d.is_lump && used.contains(&d.name)) {
+        let line = Line { left: Tree::Name(d.name.clone()), right: Tree::of_expr(rig, &d.value).into_terms() };
+        match d.parameter {
+            Some(p) if e.lumps == Lumps::AsParameters => sheet.valued.push((line, e.layout.nominal[p])),
+            _ => sheet.names.push(line),
+        }
+    }
+    for (m, mix) in rig.mixes.iter().enumerate() {
+        for (row, name) in mix.names.iter().enumerate().filter(|(_, name)| used.contains(name)) {
+            let terms = mix.inputs.iter().zip(&mix.rows[row]).filter(|(_, k)| **k != 0.0).map(|(&i, &k)| {
+                let k = super::number::Number::of(k);
+                (k.is_negative(), Tree::product(vec![Tree::Number(k.abs()), Tree::Name(rig.inputs[i].name.clone())]))
+            });
+            debug_assert_eq!(name_of(rig, Symbol::Mixed(m, row)), *name);
+            sheet.names.push(Line { left: Tree::Name(name.clone()), right: Tree::sum(terms.collect()).into_terms() });
+        }
+    }
+}
+
+fn names_in(tree: &Tree, used: &mut Vec<String>) {
+    match tree {
+        Tree::Number(_) | Tree::Entry(..) => {}
+        Tree::Name(name) => {
+            if !used.contains(name) {
+                used.push(name.clone());
+            }
+        }
+        Tree::Call(_, args) | Tree::Product(args) => args.iter().for_each(|a| names_in(a, used)),
+        Tree::Power(a, b) | Tree::Quotient(a, b) => {
+            names_in(a, used);
+            names_in(b, used);
+        }
+        Tree::Minus(a) => names_in(a, used),
+        Tree::Sum(terms) => terms.iter().for_each(|(_, t)| names_in(t, used)),
+    }
+}

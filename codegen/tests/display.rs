@@ -1,0 +1,20 @@
+//! Equations as a person writes them.
+use std::path::PathBuf;
+fn rigs() -> Vec<PathBuf> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../examples/rigs");
+    let mut paths: Vec<PathBuf> =
+        std::fs::read_dir(folder).unwrap().flatten().map(|e| e.path()).filter(|p| p.extension().is_some_and(|x| x == "rig")).collect();
+    paths.sort();
+    paths
+}
+#[test]
+fn look() {
+    for path in rigs() {
+        let checked = model_dsl::check(&path.display().to_string(), &model_dsl::FileLoader, &model_dsl::CheckOptions::default());
+        let rig = checked.rig.unwrap();
+        let e = codegen::derive(&rig, codegen::Options::default()).unwrap();
+        println!("{}", codegen::display::text(&rig, &e));
+        println!("{}", codegen::display::latex(&rig, &e));
+        println!("{:#?}", codegen::display::strings(&rig, &e).input_map);
+    }
+}
