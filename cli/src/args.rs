@@ -20,16 +20,26 @@ pub struct Arguments {
 pub enum Command {
     /// Parse a rig; check names, units and mechanics.
     Check(File),
+    /// Print the equations as a person writes them.
+    Show(Show),
     /// Numbers at one state: M, bias, forces, accelerations, Jacobians.
     Eval(Eval),
+    /// What one model has and the other lacks, term by term.
+    Diff(Diff),
+    /// Write the model as Rust or C.
+    Generate(Generate),
+    /// Write the declared rig (json) or the derived equations (casadi, latex).
+    Export(Export),
     /// Find an operating point.
     Trim(Trim),
     /// Linear models at operating points.
     Linearize(Linearize),
-    /// Simulate a rig under inputs from a record.
+    /// Simulate a rig under inputs from a file.
     Simulate(Simulate),
     /// Lay free runs of rigs over a measured record.
     Compare(Compare),
+    /// The whole chain on a rig and a record that the program carries with it.
+    Demo(Demo),
 }
 
 /// A rig file and changes of its parameters.
@@ -170,4 +180,95 @@ pub struct Compare {
     /// What logged inputs do between samples.
     #[arg(long, value_enum, default_value = "zero")]
     pub hold: Hold,
+}
+
+/// `rig show`.
+#[derive(Args)]
+pub struct Show {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// LaTeX instead of text.
+    #[arg(long)]
+    pub latex: bool,
+    /// The full derivation, before the declared assumptions.
+    #[arg(long)]
+    pub full: bool,
+}
+
+/// `rig diff`.
+#[derive(Args)]
+pub struct Diff {
+    /// First rig.
+    pub first: PathBuf,
+    /// Second rig.
+    pub second: PathBuf,
+}
+
+/// Languages of generated code.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Language {
+    /// `no_std` Rust.
+    Rust,
+    /// C99.
+    C,
+}
+
+/// `rig generate`.
+#[derive(Args)]
+pub struct Generate {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Folder to write to.
+    #[arg(long)]
+    pub out: PathBuf,
+    /// Language.
+    #[arg(long, value_enum, default_value = "rust")]
+    pub lang: Language,
+    /// Write nothing; fail if what stands there is stale.
+    #[arg(long)]
+    pub check: bool,
+    /// Overwrite files that do not carry our header.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Targets of an export.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Target {
+    /// The derived equations as a Python module for CasADi.
+    Casadi,
+    /// The declared rig: bodies, joints, forces, assumptions.
+    Json,
+    /// The derived equations.
+    Latex,
+}
+
+/// `rig export`.
+#[derive(Args)]
+pub struct Export {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// What to write.
+    #[arg(long, value_enum)]
+    pub to: Target,
+    /// File to write to (default: the rig's name beside the current folder, with the target's ending).
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Overwrite a file that stands there.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig demo`.
+#[derive(Args)]
+pub struct Demo {
+    /// Folder for the rig and the record.
+    #[arg(long, default_value = "rig-demo")]
+    pub out: PathBuf,
+    /// Overwrite files of these names that are not ours.
+    #[arg(long)]
+    pub force: bool,
 }

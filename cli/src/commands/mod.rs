@@ -2,8 +2,13 @@
 
 mod check;
 mod compare;
+mod demo;
+mod diff;
 mod eval;
+mod export;
+mod generate;
 mod linearize;
+mod show;
 mod simulate;
 mod trim;
 
@@ -16,11 +21,16 @@ use codegen::{CrossCheck, Equations};
 pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
     match arguments.command {
         Command::Check(a) => check::run(&a),
+        Command::Show(a) => show::run(&a),
         Command::Eval(a) => eval::run(&a),
+        Command::Diff(a) => diff::run(&a),
+        Command::Generate(a) => generate::run(&a),
+        Command::Export(a) => export::run(&a),
         Command::Trim(a) => trim::run(&a),
         Command::Linearize(a) => linearize::run(&a),
         Command::Simulate(a) => simulate::run(&a),
         Command::Compare(a) => compare::run(&a),
+        Command::Demo(a) => demo::run(&a),
     }
 }
 
