@@ -18,3 +18,25 @@ fn look() {
         println!("{:#?}", codegen::display::strings(&rig, &e).input_map);
     }
 }
+#[test]
+fn differences() {
+    let get = |n: &str| {
+        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../examples/rigs").join(n);
+        let checked = model_dsl::check(&path.display().to_string(), &model_dsl::FileLoader, &model_dsl::CheckOptions::default());
+        let rig = checked.rig.unwrap();
+        let e =
+            codegen::derive(&rig, codegen::Options { lumps: codegen::Lumps::Expanded, jacobians: false, ..codegen::Options::default() })
+                .unwrap();
+        (rig, e)
+    };
+    for (a, b) in [
+        ("googol.rig", "googol_mrb.rig"),
+        ("googol_mrb.rig", "googol_eq13.rig"),
+        ("googol_mrb.rig", "googol_identified.rig"),
+        ("googol_srb.rig", "googol.rig"),
+        ("googol.rig", "googol.rig"),
+    ] {
+        let (a1, b1) = (get(a), get(b));
+        println!("$ {a} {b}\n{}", codegen::display::diff((&a1.0, &a1.1), (&b1.0, &b1.1)));
+    }
+}

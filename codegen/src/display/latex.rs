@@ -162,7 +162,7 @@ fn greek(word: &str) -> Option<String> {
         ("beta", "β"),
         ("gamma", "γ"),
         ("delta", "δ"),
-        ("epsilon", "ε"),
+        ("epsilon", "ϵ"),
         ("zeta", "ζ"),
         ("eta", "η"),
         ("theta", "θ"),
@@ -200,8 +200,8 @@ fn greek(word: &str) -> Option<String> {
     if matches!(word, "omicron" | "ο") {
         return Some("o".to_owned());
     }
-    if matches!(word, "eps" | "epsilon" | "ε" | "ϵ") {
-        return Some("\\epsilon".to_owned());
+    if matches!(word, "eps" | "ε") {
+        return Some("\\varepsilon".to_owned());
     }
     LETTERS.iter().chain(&CAPITALS).find(|(name, letter)| *name == word || *letter == word).map(|(name, _)| format!("\\{name}"))
 }

@@ -4,7 +4,7 @@
 //! `latex`; `entries`, `sheet` and `screen` put whole models together, `difference` compares two.
 
 mod arrange;
-//mod difference;
+mod difference;
 mod entries;
 mod form;
 mod latex;
@@ -16,7 +16,7 @@ mod shorten;
 mod text;
 mod tree;
 
-//pub use difference::{Diff, DiffTerm, diff};
+pub use difference::{Diff, DiffTerm, diff};
 
 use crate::equations::Equations;
 use entries::entries;

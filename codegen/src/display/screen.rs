@@ -22,13 +22,7 @@ pub fn screen(sheet: &Sheet) -> String {
     }
     out.push('\n');
     block(&mut out, "", &sheet.equations);
-    for (i, line) in sheet.names.iter().enumerate() {
-        wrapped(&mut out, if i == 0 { "  with " } else { "       " }, 0, line);
-    }
-    for (line, value) in &sheet.valued {
-        let defined = text(&Tree::sum(line.right.clone()));
-        out.push_str(&format!("  with {} = {}, defined as {defined}\n", text(&line.left), Number::of(*value).decimal_text()));
-    }
+    names(&mut out, sheet);
     section(&mut out, "where", &sheet.table);
     section(&mut out, "parts", &sheet.parts);
     section(&mut out, "outputs", &sheet.outputs);
@@ -54,44 +48,121 @@ fn block(out: &mut String, indent: &str, lines: &[Line]) {
     }
 }
 
+/// What the names mean: definitions in a row, then lumps with values of their own.
+fn names(out: &mut String, sheet: &Sheet) {
+    let mut column = 0;
+    for (i, line) in sheet.names.iter().enumerate() {
+        let piece = format!("{} = {}", text(&line.left), text(&Tree::sum(line.right.clone())));
+        let start = if i == 0 {
+            "  with "
+        } else if column + piece.chars().count() + 2 > WIDTH {
+            "\n       "
+        } else {
+            ",  "
+        };
+        column = if start.starts_with(',') { column + 3 } else { 7 } + piece.chars().count();
+        out.push_str(&format!("{start}{piece}"));
+    }
+    if !sheet.names.is_empty() {
+        out.push('\n');
+    }
+    let values: Vec<String> = sheet.valued.iter().map(|v| format!("{} = {}", text(&v.0.left), Number::of(v.1).decimal_text())).collect();
+    let width = values.iter().map(|v| v.chars().count()).max().unwrap_or(0);
+    for (i, ((line, _, defined), value)) in sheet.valued.iter().zip(values).enumerate() {
+        let start = if i == 0 && sheet.names.is_empty() { "  with " } else { "       " };
+        let defined = format!("{} = {}", text(&Tree::sum(line.right.clone())), four_digits(*defined));
+        out.push_str(&format!("{start}{value:width$}   (by definition {defined})\n"));
+    }
+}
+
+fn four_digits(x: f64) -> String {
+    Number::of(format!("{x:.3e}").parse().unwrap_or(x)).decimal_text()
+}
+
 /// One line, continued below its equals sign where it is too long.
 fn wrapped(out: &mut String, indent: &str, width: usize, line: &Line) {
     let left = text(&line.left);
     let padding = " ".repeat(width.saturating_sub(left.chars().count()));
-    let start = format!("{indent}{left}{padding} = ");
-    out.push_str(&start);
-    let hanging = start.chars().count().min(40);
-    let mut column = start.chars().count();
-    if line.right.is_empty() {
-        out.push('0');
+    let pieces = pieces(&line.right, WIDTH - 40, &Style { write: text, open: "(", close: ")" });
+    let length: usize = pieces.iter().map(|p| p.1.chars().count() + 1).sum();
+    let mut start = format!("{indent}{left}{padding} = ");
+    if start.chars().count() > 42 && start.chars().count() + length > WIDTH {
+        out.push_str(&format!("{indent}{left}\n"));
+        start = format!("{indent}    = ");
     }
-    for (i, (minus, term)) in line.right.iter().enumerate() {
-        let single = text(&Tree::sum(vec![(false, term.clone())]));
-        let body = if matches!(term, Tree::Sum(_)) { format!("({single})") } else { single };
-        let sign = match (i, minus) {
-            (0, true) => "-",
-            (0, false) => "",
-            (_, true) => "- ",
-            (_, false) => "+ ",
-        };
-        let piece = format!("{sign}{body}");
+    out.push_str(&start);
+    let hanging = start.chars().count();
+    let mut column = hanging;
+    for (i, (depth, piece)) in pieces.iter().enumerate() {
         if i > 0 {
             if column + piece.chars().count() + 1 > WIDTH {
-                out.push_str(&format!("\n{}", " ".repeat(hanging)));
-                column = hanging;
+                column = hanging + 4 * depth;
+                out.push_str(&format!("\n{}", " ".repeat(column)));
             } else {
                 out.push(' ');
                 column += 1;
             }
         }
         column += piece.chars().count();
-        out.push_str(&piece);
+        out.push_str(piece);
     }
     out.push('\n');
 }
 
-/// Terms on one line of a formula, by the length of their text.
-const LATEX_WIDTH: usize = 84;
+/// How a printer writes a term and its brackets across lines.
+struct Style {
+    write: fn(&Tree) -> String,
+    open: &'static str,
+    close: &'static str,
+}
+
+/// Terms with their signs, as pieces between which a line may break; a product with a long bracket breaks within
+/// the bracket too (depth 1).
+fn pieces(terms: &[(bool, Tree)], longest: usize, style: &Style) -> Vec<(usize, String)> {
+    let sign = |i: usize, minus: bool| match (i, minus) {
+        (0, true) => "-",
+        (0, false) => "",
+        (_, true) => "- ",
+        (_, false) => "+ ",
+    };
+    let mut out = Vec::new();
+    for (i, (minus, term)) in terms.iter().enumerate() {
+        let long = match term {
+            Tree::Product(factors) if text(term).chars().count() > longest => {
+                factors.iter().position(|f| matches!(f, Tree::Sum(_))).map(|at| (factors, at))
+            }
+            _ => None,
+        };
+        let Some((factors, at)) = long else {
+            // as part of a sum, so that brackets stand where they must
+            let whole = (style.write)(&Tree::Product(vec![term.clone()]));
+            out.push((0, format!("{}{whole}", sign(i, *minus))));
+            continue;
+        };
+        let side = |factors: &[Tree]| if factors.is_empty() { String::new() } else { (style.write)(&Tree::Product(factors.to_vec())) };
+        let (before, after) = (side(&factors[..at]), side(&factors[at + 1..]));
+        let Tree::Sum(inner) = &factors[at] else { continue };
+        for (k, (minus_inner, part)) in inner.iter().enumerate() {
+            let mut piece = format!("{}{}", sign(k, *minus_inner), (style.write)(&Tree::Product(vec![part.clone()])));
+            if k == 0 {
+                let space = if before.is_empty() { "" } else { " " };
+                piece = format!("{}{before}{space}{}{piece}", sign(i, *minus), style.open);
+            }
+            if k + 1 == inner.len() {
+                let space = if after.is_empty() { "" } else { " " };
+                piece = format!("{piece}{}{space}{after}", style.close);
+            }
+            out.push((usize::from(k > 0), piece));
+        }
+    }
+    if out.is_empty() {
+        out.push((0, "0".to_owned()));
+    }
+    out
+}
+
+/// Letters on one line of a formula.
+const LATEX_WIDTH: usize = 72;
 
 /// As a LaTeX fragment for amsmath.
 pub fn fragment(sheet: &Sheet) -> String {
@@ -132,26 +203,39 @@ fn align<'a>(out: &mut String, lines: impl IntoIterator<Item = &'a Line>) {
         }
         first = false;
         out.push_str(&format!("  {} &=", latex(&line.left)));
-        if line.right.is_empty() {
-            out.push_str(" 0");
-        }
         let mut column = 0;
-        for (i, (minus, term)) in line.right.iter().enumerate() {
-            let length = text(term).chars().count();
+        for (i, (depth, piece)) in
+            pieces(&line.right, LATEX_WIDTH, &Style { write: latex, open: "\\bigl(", close: "\\bigr)" }).iter().enumerate()
+        {
+            let length = visible(piece);
             if i > 0 && column + length > LATEX_WIDTH {
-                out.push_str(" \\notag \\\\\n    &\\quad {}");
+                out.push_str(&format!(" \\notag \\\\\n    &{} {{}}", if *depth > 0 { "\\qquad" } else { "\\quad" }));
                 column = 0;
             }
             column += length;
-            out.push_str(match (i, minus) {
-                (0, true) => " -",
-                (0, false) => " ",
-                (_, true) => " - ",
-                (_, false) => " + ",
-            });
-            let body = latex(term);
-            out.push_str(&if matches!(term, Tree::Sum(_)) { format!("\\left({body}\\right)") } else { body });
+            out.push_str(&format!(" {piece}"));
         }
     }
     out.push_str("\n\\end{align}\n");
+}
+
+/// About how many letters wide a formula is: commands count as one, braces and sub- and superscript marks as none.
+fn visible(formula: &str) -> usize {
+    let mut width = 0;
+    let mut command = false;
+    for c in formula.chars() {
+        match c {
+            '\\' => {
+                command = true;
+                width += 1;
+            }
+            c if command && c.is_ascii_alphabetic() => {}
+            '{' | '}' | '_' | '^' | ' ' => command = false,
+            _ => {
+                command = false;
+                width += 1;
+            }
+        }
+    }
+    width
 }

@@ -2,11 +2,13 @@
 //! is spelled out in a table, and what the names mean. Printers turn the lines into text or LaTeX.
 
 use super::entries::{Entries, entries};
+use super::number::Number;
 use super::text::text;
-use super::tree::{Tree, name_of};
+use super::tree::Tree;
 use crate::equations::{CrossCheck, Equations};
-use crate::lower::Lumps;
-use model_dsl::rig::{Expr, Rig, Symbol};
+use crate::expr::{Graph, SymbolKind};
+use crate::lower::{Lowering, Lumps};
+use model_dsl::rig::{Expr, Rig};
 
 /// An entry of M that is spelled out in its equation; longer ones stand in a table.
 const SHORT_ENTRY: usize = 30;
@@ -41,8 +43,8 @@ pub struct Sheet {
     pub parts: Vec<Line>,
     /// Lumps and mixed inputs that occur.
     pub names: Vec<Line>,
-    /// Lumps with a value of their own: definition, value.
-    pub valued: Vec<(Line, f64)>,
+    /// Lumps with a value of their own: definition, value, the definition's value.
+    pub valued: Vec<(Line, f64, f64)>,
     /// Outputs that are not just a coordinate.
     pub outputs: Vec<Line>,
     /// Sentences about delays, prescribed motion, checks.
@@ -56,19 +58,19 @@ pub fn sheet(rig: &Rig, e: &Equations) -> Sheet {
     let mut equations = Vec::new();
     let n = rig.coordinates.len();
     let name = |i: usize| rig.coordinates[i].name.clone();
-    let spelled = spelled_out(&entries);
     let mut listed: Vec<(usize, usize)> = Vec::new();
     for i in 0..n {
         if rig.coordinates[i].prescribed {
             continue;
         }
+        let spelled = spelled_out(&entries.mass_matrix[i]);
         let mut left = Vec::new();
         for j in 0..n {
             let entry = &entries.mass_matrix[i][j];
             if entry.is_zero() {
                 continue;
             }
-            let factor = if spelled[i] {
+            let factor = if spelled[j] {
                 entry.clone()
             } else {
                 // M is symmetric unless it was written directly
@@ -84,7 +86,7 @@ pub fn sheet(rig: &Rig, e: &Equations) -> Sheet {
         let products = &entries.coriolis[i];
         if text(products).len() > SHORT_PRODUCTS {
             let entry = Tree::Entry("h", vec![name(i)]);
-            right.push((true, entry.clone()));
+            left.push((false, entry.clone()));
             table.push(Line { left: entry, right: products.clone().into_terms() });
         } else {
             push(&mut right, true, products);
@@ -129,17 +131,15 @@ fn title(rig: &Rig) -> String {
     rig.doc.lines().map(str::trim).find(|l| !l.is_empty()).unwrap_or(&rig.name).to_owned()
 }
 
-/// Rows whose entries of M stand in the equation: all short ones.
-fn spelled_out(entries: &Entries) -> Vec<bool> {
-    entries
-        .mass_matrix
-        .iter()
-        .map(|row| {
-            let lengths: Vec<usize> = row.iter().filter(|t| !t.is_zero()).map(|t| text(t).len()).collect();
-            let alone = lengths.len() == 1 && lengths[0] <= SHORT_LEFT;
-            alone || lengths.iter().all(|&l| l <= SHORT_ENTRY) && lengths.iter().sum::<usize>() <= SHORT_LEFT
-        })
-        .collect()
+/// Entries of a row of M that stand in the equation itself: the short ones, all of them if the row stays short.
+fn spelled_out(row: &[Tree]) -> Vec<bool> {
+    let lengths: Vec<usize> = row.iter().map(|t| if t.is_zero() { 0 } else { text(t).len() }).collect();
+    let alone = lengths.iter().filter(|&&l| l > 0).count() == 1;
+    let most = if alone { SHORT_LEFT } else { SHORT_ENTRY };
+    let total: usize = lengths.iter().filter(|&&l| l <= most).sum();
+    // a long row keeps only what is no longer than its name
+    let most = if total <= SHORT_LEFT { most } else { 8 };
+    lengths.iter().map(|&l| l <= most).collect()
 }
 
 /// M q'', without a 1 in front and with the sign outside.
@@ -215,20 +215,28 @@ fn explain_names(rig: &Rig, e: &Equations, sheet: &mut Sheet) {
             names_in(&Tree::of_expr(rig, &d.value), &mut used);
         }
     }
+    let mut graph = Graph::new();
+    let lowering = Lowering::new(rig, e.lumps, true, &mut graph);
     for d in rig.definitions.iter().filter(|d| d.is_lump && used.contains(&d.name)) {
         let line = Line { left: Tree::Name(d.name.clone()), right: Tree::of_expr(rig, &d.value).into_terms() };
         match d.parameter {
-            Some(p) if e.lumps == Lumps::AsParameters => sheet.valued.push((line, e.layout.nominal[p])),
+            Some(p) if e.lumps == Lumps::AsParameters => {
+                let id = lowering.expr(&mut graph, &d.value);
+                let defined = graph.evaluate(&[id], |s| match graph.symbol_info(s).kind {
+                    SymbolKind::Parameter(i) => e.layout.nominal[i],
+                    _ => 0.0,
+                });
+                sheet.valued.push((line, e.layout.nominal[p], defined[0]));
+            }
             _ => sheet.names.push(line),
         }
     }
-    for (m, mix) in rig.mixes.iter().enumerate() {
+    for mix in &rig.mixes {
         for (row, name) in mix.names.iter().enumerate().filter(|(_, name)| used.contains(name)) {
             let terms = mix.inputs.iter().zip(&mix.rows[row]).filter(|(_, k)| **k != 0.0).map(|(&i, &k)| {
-                let k = super::number::Number::of(k);
+                let k = Number::of(k);
                 (k.is_negative(), Tree::product(vec![Tree::Number(k.abs()), Tree::Name(rig.inputs[i].name.clone())]))
             });
-            debug_assert_eq!(name_of(rig, Symbol::Mixed(m, row)), *name);
             sheet.names.push(Line { left: Tree::Name(name.clone()), right: Tree::sum(terms.collect()).into_terms() });
         }
     }

@@ -15,7 +15,8 @@ pub fn trigonometry(forms: &mut Forms, sum: &Sum) -> Sum {
     angle_sums(forms, &sum)
 }
 
-/// For a term a R + b R cos^2 x: R sin^2 x where a = -b, and (a + b) R - b R sin^2 x where that has no minus.
+/// For a R + b R cos^2 x: a R sin^2 x where a = -b, -a R cos 2x where b = -2a, and (a + b) R - b R sin^2 x where
+/// that has no minus.
 fn squares(forms: &mut Forms, sum: &Sum) -> Sum {
     let mut sum = sum.clone();
     for _ in 0..ROUNDS {
@@ -39,13 +40,19 @@ fn squares(forms: &mut Forms, sum: &Sum) -> Sum {
             }
             let both = a.add(b);
             let all_positive = !a.is_negative() && b.is_negative() && !both.is_negative();
-            if both.is_zero() || all_positive {
-                step = Some((m, b, base, cos));
+            if both.is_zero() || all_positive || both == a.neg() {
+                step = Some((m, a, b, base, cos));
                 break;
             }
         }
-        let Some((m, b, base, cos)) = step else { return sum };
+        let Some((m, a, b, base, cos)) = step else { return sum };
         let Atom::Call(_, x) = forms.atom(cos).clone() else { return sum };
+        if a.add(b) == a.neg() {
+            let double = forms.call(F1::Cos, x.scaled(Number::integer(2)));
+            let turned = base.with_power(double, base.power(double) + 1);
+            sum = Sum::collect(sum.0.iter().cloned().chain([(m, b.neg()), (base, a.neg()), (turned, a.neg())]));
+            continue;
+        }
         let sin = forms.call(F1::Sin, x);
         let lifted = base.with_power(sin, base.power(sin) + 2);
         sum = Sum::collect(sum.0.iter().cloned().chain([(m, b.neg()), (base, b), (lifted, b.neg())]));
