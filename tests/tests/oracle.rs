@@ -4,7 +4,7 @@
 use codegen::emit::{declared, declared_fingerprint};
 use codegen::expr::{Id, SymbolKind};
 use codegen::{Equations, Options, derive};
-use control::{TrimProblem, Unknown};
+use control::{TrimError, TrimProblem, Unknown};
 use cross_checks::trims::problem;
 use cross_checks::{oracle_rigs, rig_of, root};
 use jit::InProcess;
@@ -19,6 +19,9 @@ const TOLERANCE: f64 = 1e-10;
 /// vector), and a row's largest entry counts as no less than this part of the matrix's: what cancels to zero on one side
 /// is rounding of the larger terms on the other.
 const SMALL: f64 = 1e-3;
+
+/// Trims that have no solution, on purpose.
+const REFUSED: [&str; 1] = ["assumed_twice, trim balance"];
 
 /// A quantity: its name in the oracle's file, its entries row by row, its columns.
 struct Quantity {
@@ -166,7 +169,19 @@ fn every_trim_agrees_with_casadi() {
             let residual = theirs["residual"].as_f64().unwrap_or(f64::NAN);
             let problem: TrimProblem = problem(&rig, &model, trim, &p);
             let ours = control::solve(&model, &p, &problem);
-            assert!(residual < 1e-9, "{label}: the oracle finds no operating point, {residual:e} remains; ours: {ours:?}");
+            if residual > 1e-6 {
+                assert!(
+                    matches!(ours, Err(TrimError::NoConvergence { .. })),
+                    "{label}: the oracle finds no operating point, ours: {ours:?}"
+                );
+                assert!(
+                    REFUSED.contains(&label.as_str()),
+                    "{label}: there is no such operating point; mend the rig, or list it as refused"
+                );
+                println!("{label}: refused by both");
+                continue;
+            }
+            assert!(residual < 1e-9, "{label}: the oracle's residual is {residual:e}");
             // A and B at the oracle's operating point
             for quantity in list.iter().filter(|q| ["A", "B"].contains(&q.name)) {
                 let ours = evaluate(&e, &quantity.roots, theirs, &p);
