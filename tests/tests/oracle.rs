@@ -5,6 +5,7 @@ use codegen::emit::{declared, declared_fingerprint};
 use codegen::expr::{Id, SymbolKind};
 use codegen::{Equations, Options, derive};
 use control::{TrimError, TrimProblem, Unknown};
+use cross_checks::close::by_rows;
 use cross_checks::trims::problem;
 use cross_checks::{oracle_rigs, rig_of, root};
 use jit::InProcess;
@@ -15,11 +16,6 @@ use std::path::Path;
 
 /// Largest difference allowed. Both sides round at 1e-16; what is left for conditioning is five decades.
 const TOLERANCE: f64 = 1e-10;
-/// An entry is compared relative to itself, and to no less than this part of the largest entry of its row (of its
-/// vector), and a row's largest entry counts as no less than this part of the matrix's: what cancels to zero on one side
-/// is rounding of the larger terms on the other.
-const SMALL: f64 = 1e-3;
-
 /// Trims that have no solution, on purpose.
 const REFUSED: [&str; 1] = ["assumed_twice, trim balance"];
 
@@ -63,21 +59,6 @@ fn flat(value: &Value) -> Vec<f64> {
     }
 }
 
-/// Largest relative difference of a quantity, row by row.
-fn difference(ours: &[f64], theirs: &[f64], columns: usize) -> f64 {
-    assert_eq!(ours.len(), theirs.len(), "lengths differ");
-    let size = |list: &[f64]| list.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let mut worst = 0.0_f64;
-    for (a, b) in ours.chunks(columns.max(1)).zip(theirs.chunks(columns.max(1))) {
-        let largest = size(b).max(SMALL * size(theirs));
-        for (x, y) in a.iter().zip(b) {
-            let d = if x == y { 0.0 } else { (x - y).abs() / y.abs().max(SMALL * largest) };
-            worst = if d.is_nan() { f64::INFINITY } else { worst.max(d) };
-        }
-    }
-    worst
-}
-
 /// Values of roots at a state of the oracle's file.
 fn evaluate(e: &Equations, roots: &[Id], state: &Value, p: &[f64]) -> Vec<f64> {
     let (x, u) = (flat(&state["x"]), flat(&state["u"]));
@@ -112,7 +93,7 @@ fn differences(e: &Equations, oracle: &Value) -> Vec<(&'static str, usize, f64)>
             // equations written directly have no energies on either side
             let ours = evaluate(e, &quantity.roots, state, &p);
             let theirs = flat(&state[quantity.name]);
-            out.push((quantity.name, k, difference(&ours, &theirs, quantity.columns)));
+            out.push((quantity.name, k, by_rows(&ours, &theirs, quantity.columns)));
         }
     }
     out
@@ -185,7 +166,7 @@ fn every_trim_agrees_with_casadi() {
             // A and B at the oracle's operating point
             for quantity in list.iter().filter(|q| ["A", "B"].contains(&q.name)) {
                 let ours = evaluate(&e, &quantity.roots, theirs, &p);
-                let d = difference(&ours, &flat(&theirs[quantity.name]), quantity.columns);
+                let d = by_rows(&ours, &flat(&theirs[quantity.name]), quantity.columns);
                 assert!(d <= TOLERANCE, "{label}: {} differs by {d:.1e}", quantity.name);
             }
             // our own operating point
