@@ -44,7 +44,8 @@ pub fn complete(
     for (name, &r) in names.iter().zip(&right) {
         g.label(r, format!("tau_{name}"));
     }
-    let factored = factor(g, &m, &names);
+    let symmetric = rig.equations.is_empty() || (0..m.len()).all(|i| (0..i).all(|j| m[i][j] == m[j][i]));
+    let factored = factor(g, &m, &names, symmetric);
     let solved = factored.solve(g, &right);
     let mut acceleration = given;
     for (&i, &a) in free.iter().zip(&solved) {
@@ -297,13 +298,20 @@ impl Implicit<'_> {
                 out[k][j] = g.one();
             }
             let mut column: Vec<Id> = slopes[j * roots.len()..(j + 1) * roots.len()].to_vec();
-            // a prescribed acceleration enters the free rows through M as well: its symbol stands in ID as `a`
-            if let Some(i) = self.lowering.prescribed.iter().position(|p| p.is_some_and(|id| g.symbol_of(id) == Some(s))) {
+            // a prescribed acceleration (a signal, or a trajectory over parameters) enters the free rows through M: its
+            // symbol stands in ID as `a`
+            for (i, given) in self.lowering.prescribed.iter().enumerate() {
+                let Some(given) = *given else { continue };
+                let slope = g.differentiate(&[given], s, mode)[0];
+                if g.is_zero(slope) {
+                    continue;
+                }
+                out[n + i][j] = slope;
                 let through = g.differentiate(&roots, a[i], mode);
                 for (value, part) in column.iter_mut().zip(through) {
+                    let part = g.mul(part, slope);
                     *value = g.add(*value, part);
                 }
-                out[n + i][j] = g.one();
             }
             let right: Vec<Id> = column.iter().map(|&d| g.neg(d)).collect();
             let solved = self.factored.solve(g, &right);
