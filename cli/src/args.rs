@@ -34,7 +34,9 @@ pub enum Command {
     Trim(Trim),
     /// Linear models at operating points.
     Linearize(Linearize),
-    /// Simulate a rig under inputs from a file.
+    /// Linear-quadratic regulator at an operating point.
+    Lqr(Lqr),
+    /// Simulate a rig under inputs from a record.
     Simulate(Simulate),
     /// Lay free runs of rigs over a measured record.
     Compare(Compare),
@@ -131,6 +133,41 @@ impl From<Hold> for sim::Hold {
             Hold::First => Self::First,
         }
     }
+}
+
+/// `rig lqr`: u = u* - K (x - x*).
+#[derive(Args)]
+pub struct Lqr {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Point.
+    #[command(flatten)]
+    pub point: Point,
+    /// Inputs that the regulator moves, mixed ones by their names: `f_s,f_d`.
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub inputs: Vec<String>,
+    /// States that are fed back (default: all); the others are taken as constant.
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub states: Vec<String>,
+    /// Outputs whose deviation is integrated.
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub integrate: Vec<String>,
+    /// Diagonal of Q: one weight for each state, then one for each integral.
+    #[arg(long, value_delimiter = ',', value_name = "Q1,Q2", required = true, allow_hyphen_values = true)]
+    pub weights_x: Vec<f64>,
+    /// Diagonal of R: one weight for each input.
+    #[arg(long, value_delimiter = ',', value_name = "R1,R2", required = true, allow_hyphen_values = true)]
+    pub weights_u: Vec<f64>,
+    /// Sampled controller with this period [s].
+    #[arg(long, value_name = "DT")]
+    pub discrete: Option<f64>,
+    /// With --discrete: minimize the sum over the samples (as `dlqr`) instead of the integral (as `lqrd`).
+    #[arg(long, requires = "discrete")]
+    pub sum: bool,
+    /// Keep the slope of regularized Coulomb friction.
+    #[arg(long)]
+    pub friction_slope: bool,
 }
 
 /// `rig simulate`.

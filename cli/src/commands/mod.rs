@@ -6,6 +6,7 @@ mod eval;
 mod export;
 mod generate;
 mod linearize;
+mod lqr;
 mod show;
 mod simulate;
 mod trim;
@@ -26,6 +27,7 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Export(a) => export::run(&a),
         Command::Trim(a) => trim::run(&a),
         Command::Linearize(a) => linearize::run(&a),
+        Command::Lqr(a) => lqr::run(&a),
         Command::Simulate(a) => simulate::run(&a),
         Command::Compare(a) => compare::run(&a),
     }
