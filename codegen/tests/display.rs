@@ -40,3 +40,18 @@ fn differences() {
         println!("$ {a} {b}\n{}", codegen::display::diff((&a1.0, &a1.1), (&b1.0, &b1.1)));
     }
 }
+#[test]
+fn odd() {
+    for name in ["/tmp/odd.rig", "/tmp/six.rig"] {
+        let checked = model_dsl::check(name, &model_dsl::FileLoader, &model_dsl::CheckOptions::default());
+        for d in &checked.diagnostics { println!("{}", d.render(&checked.sources, false)); }
+        let Some(rig) = checked.rig else { continue };
+        let e = codegen::derive(&rig, codegen::Options { jacobians: false, ..codegen::Options::default() }).unwrap();
+        let t = std::time::Instant::now();
+        println!("{}", codegen::display::text(&rig, &e));
+        println!("TIME {:?}", t.elapsed());
+        let t = std::time::Instant::now();
+        println!("{}", codegen::display::diff((&rig, &e), (&rig, &e)));
+        println!("TIME diff {:?}", t.elapsed());
+    }
+}

@@ -28,7 +28,34 @@ type Term = (Monomial, Number);
 pub fn written(forms: &mut Forms, knowledge: &Knowledge, sum: &Sum) -> Tree {
     let short = shortened(forms, knowledge, sum);
     let terms = grouped(forms, knowledge, &short);
-    Tree::sum(terms.iter().map(|(m, k)| (k.is_negative(), product(forms, knowledge, m, k.abs()))).collect())
+    let expanded = Tree::sum(trees(forms, knowledge, &terms));
+    // (w - z)/tau: one denominator under all terms
+    let (common, _, _) = content(&short);
+    let below = Monomial(common.0.into_iter().filter(|f| f.1 < 0).collect());
+    if terms.len() < 2 || below.0.is_empty() {
+        return expanded;
+    }
+    let factor = forms.factor(short.shifted(&below.powi(-1)));
+    let over_all = product(forms, knowledge, &below.with_power(factor, 1), Number::ONE);
+    if text(&over_all).len() <= text(&expanded).len() { over_all } else { expanded }
+}
+
+/// Terms with their signs.
+fn trees(forms: &mut Forms, knowledge: &Knowledge, terms: &[Term]) -> Vec<(bool, Tree)> {
+    terms.iter().map(|(m, k)| (k.is_negative(), product(forms, knowledge, m, k.abs()))).collect()
+}
+
+/// A sum inside brackets: what moves before constants where it is an angle or a stretch, a term with a plus first.
+fn bracketed(forms: &mut Forms, knowledge: &Knowledge, sum: &Sum) -> Tree {
+    let mut terms = grouped(forms, knowledge, sum);
+    let plain = |forms: &Forms, a: AtomId| forms.depends(a).is_static() || matches!(forms.atom(a), Atom::Name(_));
+    if terms.iter().all(|t| t.0.0.iter().all(|f| plain(forms, f.0))) {
+        terms.sort_by_key(|t| t.0.0.iter().all(|f| forms.depends(f.0).is_static()));
+    }
+    if let Some(first) = terms.iter().position(|t| !t.1.is_negative()) {
+        terms[..=first].rotate_right(1);
+    }
+    Tree::sum(trees(forms, knowledge, &terms))
 }
 
 /// With fewer terms: denominators, mixed inputs, factors, trigonometry, lumps.
@@ -62,7 +89,13 @@ fn by_factor(sum: &Sum, takes: impl Fn(AtomId) -> bool) -> Vec<(Monomial, Sum)> 
 
 /// Terms as written, in order: by rates and signals, then by functions of position, then by coefficient.
 fn grouped(forms: &mut Forms, knowledge: &Knowledge, sum: &Sum) -> Vec<Term> {
-    let mut by_motion = by_factor(sum, |a| forms.depends(a).moves());
+    // stretches and named lengths are taken out like rates
+    let leads = |a: AtomId| match forms.atom(a) {
+        Atom::Sum(_) => !forms.depends(a).is_static(),
+        Atom::Name(i) => forms.depends(a).moves() || forms.name(*i).1 == Class::Part,
+        _ => forms.depends(a).moves(),
+    };
+    let mut by_motion = by_factor(sum, leads);
     by_motion.sort_by_cached_key(|(v, _)| key(forms, v));
     let mut out = Vec::new();
     for (v, inner) in by_motion {
@@ -145,8 +178,7 @@ fn coefficient(forms: &mut Forms, knowledge: &Knowledge, c: &Sum, with: &Monomia
 /// The first of two ways of writing if it is shorter than `bonus` times the other one.
 fn shorter(forms: &mut Forms, knowledge: &Knowledge, one: Vec<Term>, other: Vec<Term>, bonus: f64) -> Vec<Term> {
     let mut length = |terms: &[Term]| {
-        let trees = terms.iter().map(|(m, k)| (k.is_negative(), product(forms, knowledge, m, k.abs()))).collect();
-        text(&Tree::sum(trees)).len() as f64
+        text(&Tree::sum(trees(forms, knowledge, terms))).len() as f64
     };
     if length(&one) <= bonus * length(&other) { one } else { other }
 }
@@ -222,7 +254,9 @@ pub fn product(forms: &mut Forms, knowledge: &Knowledge, m: &Monomial, k: Number
             .collect()
     };
     let (above, below) = (powers(above), powers(below));
-    if below.is_empty() {
+    // pi/6, not 1/6 pi
+    let circle = above.first() == Some(&Tree::Name("pi".to_owned())) && k.fraction().is_some_and(|(_, q)| q != 1);
+    if below.is_empty() && !circle {
         return Tree::product([vec![Tree::Number(k)], above].concat());
     }
     let (p, q) = match k.fraction() {
@@ -243,21 +277,20 @@ pub fn product(forms: &mut Forms, knowledge: &Knowledge, m: &Monomial, k: Number
 fn atom_tree(forms: &mut Forms, knowledge: &Knowledge, atom: AtomId) -> Tree {
     match forms.atom(atom).clone() {
         Atom::Name(i) => Tree::Name(forms.name(i).0.to_owned()),
-        Atom::Call(f, x) => Tree::Call(name1(f), vec![written(forms, knowledge, &x)]),
-        Atom::Call2(F2::Pow, x, y) => Tree::Power(Box::new(written(forms, knowledge, &x)), Box::new(written(forms, knowledge, &y))),
-        Atom::Call2(f, x, y) => Tree::Call(name2(f), vec![written(forms, knowledge, &x), written(forms, knowledge, &y)]),
-        Atom::Saturate(x, lo, hi) => Tree::Call("saturate", [x, lo, hi].iter().map(|s| written(forms, knowledge, s)).collect()),
-        Atom::Sum(x) => {
-            // its terms were shortened before, as part of the whole
-            let terms = grouped(forms, knowledge, &x);
-            let mut terms: Vec<(bool, Tree)> =
-                terms.iter().map(|(m, k)| (k.is_negative(), product(forms, knowledge, m, k.abs()))).collect();
-            if let Some(first) = terms.iter().position(|t| !t.0) {
-                terms[..=first].rotate_right(1);
-            }
-            Tree::sum(terms)
-        }
+        Atom::Call(f, x) => Tree::Call(name1(f), vec![argument(forms, knowledge, &x)]),
+        Atom::Call2(F2::Pow, x, y) => Tree::Power(Box::new(argument(forms, knowledge, &x)), Box::new(argument(forms, knowledge, &y))),
+        Atom::Call2(f, x, y) => Tree::Call(name2(f), vec![argument(forms, knowledge, &x), argument(forms, knowledge, &y)]),
+        Atom::Saturate(x, lo, hi) => Tree::Call("saturate", [x, lo, hi].iter().map(|s| argument(forms, knowledge, s)).collect()),
+        // its terms were shortened before, as part of the whole
+        Atom::Sum(x) => bracketed(forms, knowledge, &x),
     }
+}
+
+/// An argument of a function.
+fn argument(forms: &mut Forms, knowledge: &Knowledge, sum: &Sum) -> Tree {
+    let short = shortened(forms, knowledge, sum);
+    let whole = written(forms, knowledge, sum);
+    if matches!(whole, Tree::Sum(_)) { bracketed(forms, knowledge, &short) } else { whole }
 }
 
 fn name1(f: F1) -> &'static str {

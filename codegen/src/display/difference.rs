@@ -111,7 +111,8 @@ impl Kind {
 struct Quantity {
     kind: Kind,
     name: String,
-    unit: String,
+    /// Units of the row in either model.
+    units: [String; 2],
     first: Vec<Id>,
     second: Vec<Id>,
 }
@@ -187,7 +188,7 @@ fn quantities(first: (&Rig, &Equations), second: (&Rig, &Equations)) -> Vec<Quan
     for (k, r) in rows.iter().enumerate() {
         for s in rows.iter().skip(if half { k } else { 0 }) {
             let (a, b) = (entry(first.1, r.1, s.1), entry(second.1, r.2, s.2));
-            out.push(Quantity { kind: Kind::MassMatrix, name: format!("M[{}, {}]", r.0, s.0), unit: String::new(), first: a, second: b });
+            out.push(Quantity { kind: Kind::MassMatrix, name: format!("M[{}, {}]", r.0, s.0), units: [String::new(), String::new()], first: a, second: b });
         }
     }
     type Rows = Box<dyn Fn(&Equations, usize) -> Vec<Id>>;
@@ -210,11 +211,11 @@ fn quantities(first: (&Rig, &Equations), second: (&Rig, &Equations)) -> Vec<Quan
     for (kind, of) in kinds {
         for (name, i, j) in &rows {
             let side = |e: &Equations, row: Option<usize>| row.map_or_else(Vec::new, |i| of(e, i));
-            let unit = i.map_or_else(|| row_unit(second.0, j.unwrap_or(0)), |i| row_unit(first.0, i));
+            let unit = |rig: &Rig, row: Option<usize>| row.map_or_else(String::new, |i| row_unit(rig, i));
             out.push(Quantity {
                 kind,
                 name: format!("{} in {name}", kind.title()),
-                unit,
+                units: [unit(first.0, *i), unit(second.0, *j)],
                 first: side(first.1, *i),
                 second: side(second.1, *j),
             });
@@ -244,10 +245,10 @@ fn by_name(out: &mut Vec<Quantity>, kind: Kind, list: impl Fn(&Equations) -> Nam
     let (a, b) = (list(first), list(second));
     for (label, id) in &a {
         let other = b.iter().filter(|x| x.0.0 == label.0).map(|x| x.1).collect();
-        out.push(Quantity { kind, name: label.0.clone(), unit: label.1.clone(), first: vec![*id], second: other });
+        out.push(Quantity { kind, name: label.0.clone(), units: [label.1.clone(), label.1.clone()], first: vec![*id], second: other });
     }
     for (label, id) in b.iter().filter(|x| a.iter().all(|y| y.0.0 != x.0.0)) {
-        out.push(Quantity { kind, name: label.0.clone(), unit: label.1.clone(), first: Vec::new(), second: vec![*id] });
+        out.push(Quantity { kind, name: label.0.clone(), units: [label.1.clone(), label.1.clone()], first: Vec::new(), second: vec![*id] });
     }
 }
 
@@ -328,6 +329,10 @@ impl Comparison<'_> {
             self.compare_numbers(quantity);
             return;
         };
+        if a == b {
+            return;
+        }
+        let (a, b) = (self.prepared(&a), self.prepared(&b));
         let same = |x: &Sum, y: &Sum| Sum(x.0.iter().filter(|(m, k)| y.coefficient(m) != *k).cloned().collect());
         let (only_a, only_b) = (same(&a, &b), same(&b, &a));
         if only_a.is_zero() && only_b.is_zero() {
@@ -377,18 +382,23 @@ impl Comparison<'_> {
         }
     }
 
-    /// Sum of the nodes as a form, denominators and mixed inputs dealt with alike in both models.
+    /// Sum of the nodes as a form.
     fn form(&mut self, side: usize, ids: &[Id]) -> Option<Sum> {
         self.forms.work = 600_000;
         let mut total = Sum::zero();
         for form in self.readers[side].read(&mut self.forms, ids) {
             total = total.plus(form?.as_ref(), Number::ONE);
         }
-        let mut total = shorten::cancelled(&self.forms, &total);
-        for mix in &self.knowledge.mixes {
-            total = shorten::mixed_inputs(&total, mix);
-        }
         Some(total)
+    }
+
+    /// Denominators and mixed inputs dealt with alike in both models.
+    fn prepared(&self, sum: &Sum) -> Sum {
+        let mut sum = shorten::cancelled(&self.forms, sum);
+        for mix in &self.knowledge.mixes {
+            sum = shorten::mixed_inputs(&sum, mix);
+        }
+        sum
     }
 
     /// Shortened, by moving factors.
@@ -449,15 +459,15 @@ impl Comparison<'_> {
     fn change(&mut self, quantity: &Quantity, old: Tree, new: Tree, a: &Sum, b: &Sum) {
         let (x, y) = (self.value(0, a), self.value(1, b));
         let size = if quantity.kind == Kind::MassMatrix && x != 0.0 {
-            format!("{} -> {}, {:+.2} %", digits(x), digits(y), 100.0 * (y - x) / x.abs())
+            format!("{} -> {}, {}{} %", digits(x), digits(y), if y < x { "-" } else { "+" }, percent((y - x) / x))
         } else {
-            format!("{} -> {} {}", digits(x), digits(y), quantity.unit)
+            from_to(quantity, x, y)
         };
         let term = format!("{} -> {}", text(&old), text(&new));
         self.diff.changed.push(DiffTerm {
             quantity: quantity.name.clone(),
             term,
-            size: size.trim_end().to_owned(),
+            size,
             kind: quantity.kind,
             magnitude: Magnitude((y - x).abs()),
         });
@@ -466,7 +476,7 @@ impl Comparison<'_> {
     /// Size of a term: its share of an entry of M, or its magnitude.
     fn size(&mut self, quantity: &Quantity, side: usize, x: f64) -> String {
         if quantity.kind != Kind::MassMatrix {
-            return format!("{} {}", digits(x.abs()), quantity.unit).trim_end().to_owned();
+            return format!("{} {}", digits(x.abs()), quantity.units[side]).trim_end().to_owned();
         }
         let ids = if side == 0 { &quantity.first } else { &quantity.second };
         let whole: f64 = self.numbers(side, ids, None).iter().sum();
@@ -510,7 +520,7 @@ impl Comparison<'_> {
             return;
         }
         let (a, b) = sides(None);
-        let size = format!("{} -> {} {}", digits(a), digits(b), quantity.unit).trim_end().to_owned();
+        let size = from_to(quantity, a, b);
         let term = "too long to be written out -> differs in value".to_owned();
         self.diff.changed.push(DiffTerm {
             quantity: quantity.name.clone(),
@@ -520,6 +530,13 @@ impl Comparison<'_> {
             magnitude: Magnitude((a - b).abs()),
         });
     }
+}
+
+/// `0.7 -> 0.5 N m`, with both units where they differ.
+fn from_to(quantity: &Quantity, a: f64, b: f64) -> String {
+    let [old, new] = &quantity.units;
+    let first = if old == new { digits(a) } else { format!("{} {old}", digits(a)) };
+    format!("{} -> {} {new}", first.trim_end(), digits(b)).trim_end().to_owned()
 }
 
 /// One group is the other one times a number or a product.
@@ -552,15 +569,13 @@ fn percent(share: f64) -> String {
     digits(format!("{:.1e}", 100.0 * share.abs()).parse().unwrap_or(share))
 }
 
+/// Longest line of a screen.
+const WIDTH: usize = 110;
+
 impl fmt::Display for Diff {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all: Vec<(char, &DiffTerm)> = self
-            .removed
-            .iter()
-            .map(|t| ('-', t))
-            .chain(self.changed.iter().map(|t| ('~', t)))
-            .chain(self.added.iter().map(|t| ('+', t)))
-            .collect();
+        let all: Vec<(char, &DiffTerm)> =
+            self.removed.iter().map(|t| ('-', t)).chain(self.changed.iter().map(|t| ('~', t))).chain(self.added.iter().map(|t| ('+', t))).collect();
         if all.is_empty() {
             writeln!(f, "the equations are the same")?;
         }
@@ -569,15 +584,15 @@ impl fmt::Display for Diff {
             if of_kind.is_empty() {
                 continue;
             }
+            writeln!(f, "{}", kind.title())?;
             if self.dropped.contains(&kind) && of_kind.len() > 3 {
                 let largest = of_kind.iter().max_by(|a, b| a.1.magnitude.0.total_cmp(&b.1.magnitude.0).then(b.1.term.cmp(&a.1.term)));
                 if let Some((_, t)) = largest {
-                    writeln!(f, "{}", kind.title())?;
-                    writeln!(f, "  - all {} terms; the largest: {}  in {}  ({})", of_kind.len(), t.term, row_of(t), t.size)?;
+                    writeln!(f, "  - all {} terms dropped; the largest, in {}:", of_kind.len(), row_of(t))?;
+                    folded(f, "      ", &format!("{}  ({})", t.term, t.size))?;
                 }
                 continue;
             }
-            writeln!(f, "{}", kind.title())?;
             for (sign, t) in of_kind {
                 let place = row_of(t);
                 let verb = match (sign, kind) {
@@ -587,25 +602,57 @@ impl fmt::Display for Diff {
                 };
                 match t.term.split_once(" -> ") {
                     Some((old, new)) if sign == '~' => {
-                        writeln!(f, "  ~ {place}  was  {old}\n    {}  is   {new}  ({})", " ".repeat(place.chars().count()), t.size)?;
+                        folded(f, &format!("  ~ {place}  was  "), old)?;
+                        folded(f, &format!("    {}  is   ", " ".repeat(place.chars().count())), &format!("{new}  ({})", t.size))?;
                     }
-                    _ => writeln!(f, "  {sign} {place}  {verb}{}  ({})", t.term, t.size)?,
+                    _ => folded(f, &format!("  {sign} {place}  {verb}"), &format!("{}  ({})", t.term, t.size))?,
                 }
             }
         }
-        match (self.added.is_empty(), self.removed.is_empty(), self.changed.is_empty()) {
-            (true, false, _) => writeln!(f, "nothing added")?,
-            (false, true, _) => writeln!(f, "nothing removed")?,
+        match (self.added.is_empty(), self.removed.is_empty()) {
+            (true, false) => writeln!(f, "nothing added")?,
+            (false, true) => writeln!(f, "nothing removed")?,
             _ => {}
         }
         if !self.at.is_empty() {
             writeln!(f, "sizes at {}", self.at)?;
         }
         if !self.values.is_empty() {
-            writeln!(f, "other values: {}", self.values.join(", "))?;
+            folded(f, "other values: ", &self.values.join(", "))?;
         }
         Ok(())
     }
+}
+
+/// A line, continued below its beginning where it is too long.
+fn folded(f: &mut fmt::Formatter<'_>, start: &str, text: &str) -> fmt::Result {
+    let indent = start.chars().count();
+    write!(f, "{start}")?;
+    let mut column = indent;
+    // a line may break before a sign, a comment in brackets or after a comma
+    let mut words = text.split(' ').peekable();
+    let mut piece = String::new();
+    while let Some(word) = words.next() {
+        if !piece.is_empty() {
+            piece.push(' ');
+        }
+        piece.push_str(word);
+        let breaks = words.peek().is_none_or(|next| matches!(*next, "+" | "-" | "") || word.ends_with(','));
+        if breaks {
+            let length = piece.chars().count() + 1;
+            if column > indent && column + length > WIDTH {
+                write!(f, "\n{}", " ".repeat(indent))?;
+                column = indent;
+                piece = piece.trim_start().to_owned();
+            } else if column > indent {
+                write!(f, " ")?;
+            }
+            write!(f, "{piece}")?;
+            column += length;
+            piece.clear();
+        }
+    }
+    writeln!(f)
 }
 
 /// The row of a term without the kind, which stands in the title.

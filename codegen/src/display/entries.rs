@@ -4,7 +4,7 @@
 use super::arrange::{Knowledge, written};
 use super::form::{Atom, AtomId, Class, Forms, Sum};
 use super::number::Number;
-use super::read::{Part, Reader, lump_atom, register};
+use super::read::{Reader, lump_atom, register};
 use super::shorten::{Known, MixAtoms, as_factor};
 use super::tree::Tree;
 use crate::equations::Equations;
@@ -15,6 +15,8 @@ use std::rc::Rc;
 
 /// Sums that may be looked for as factors.
 const MOST_FACTORS: usize = 30;
+/// Terms of an entry that is written out; longer ones are written over named parts.
+const LONGEST: usize = 48;
 /// Work left for each entry, so that one long entry does not take all.
 const WORK: u64 = 600_000;
 
@@ -22,8 +24,6 @@ const WORK: u64 = 600_000;
 pub struct Entries {
     /// M, all entries.
     pub mass_matrix: Vec<Vec<Tree>>,
-    /// M depends on nothing that moves.
-    pub constant_mass_matrix: bool,
     /// Velocity products; zeros for equations written directly.
     pub coriolis: Vec<Tree>,
     /// Gravity.
@@ -66,9 +66,11 @@ pub fn entries(rig: &Rig, e: &Equations) -> Entries {
         e.outputs.clone(),
     ];
     let roots: Vec<Id> = blocks.concat();
-    let (sums, parts) = read_all(&mut reader, &mut forms, &roots);
+    reader.names_parts = true;
+    let sums = read_all(&mut reader, &mut forms, &roots);
     let knowledge = knowledge(rig, e, &mut reader, &mut forms, &roots);
-    let parts: Vec<(String, Tree)> = parts
+    let parts: Vec<(String, Tree)> = reader
+        .parts
         .iter()
         .map(|part| {
             let name = match forms.atom(part.atom) {
@@ -78,7 +80,6 @@ pub fn entries(rig: &Rig, e: &Equations) -> Entries {
             (name, written(&mut forms, &knowledge, &part.value))
         })
         .collect();
-    let constant_mass_matrix = sums[..n * n].iter().all(|s| forms.depends_of(s).is_static());
     let trees: Vec<Tree> = sums.iter().map(|s| written(&mut forms, &knowledge, s)).collect();
     let mut rest = trees.into_iter();
     let mut take = |k: usize| rest.by_ref().take(k).collect::<Vec<Tree>>();
@@ -93,7 +94,6 @@ pub fn entries(rig: &Rig, e: &Equations) -> Entries {
         (0..n).map(|i| Tree::sum(vec![(false, coriolis[i].clone()), (false, gravity[i].clone()), (false, springs[i].clone())])).collect();
     Entries {
         mass_matrix,
-        constant_mass_matrix,
         coriolis,
         gravity,
         springs,
@@ -108,23 +108,20 @@ pub fn entries(rig: &Rig, e: &Equations) -> Entries {
 }
 
 /// Forms of all roots, those that grow too long over named parts.
-pub fn read_all(reader: &mut Reader, forms: &mut Forms, roots: &[Id]) -> (Vec<Sum>, Vec<Part>) {
+pub fn read_all(reader: &mut Reader, forms: &mut Forms, roots: &[Id]) -> Vec<Sum> {
     forms.work = WORK;
     let full: Vec<Option<Rc<Sum>>> = reader.read(forms, roots);
     let long: Vec<Id> = roots.iter().zip(&full).filter(|(_, f)| too_long(f.as_deref())).map(|(id, _)| *id).collect();
     forms.work = WORK;
-    let (by_parts, parts) = reader.read_in_parts(forms, &long);
-    let mut by_parts = by_parts.into_iter();
-    let sums = full
-        .iter()
+    let mut by_parts = reader.read_in_parts(forms, &long).into_iter();
+    full.iter()
         .map(|f| if too_long(f.as_deref()) { by_parts.next().unwrap_or_default() } else { f.as_deref().cloned().unwrap_or_default() })
-        .collect();
-    (sums, parts)
+        .collect()
 }
 
 /// More than anyone reads in one entry.
 fn too_long(form: Option<&Sum>) -> bool {
-    form.is_none_or(|s| s.len() > 120)
+    form.is_none_or(|s| s.len() > LONGEST)
 }
 
 /// What can be recognized in the equations of a rig.

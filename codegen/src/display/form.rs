@@ -487,6 +487,11 @@ fn common_ratio(x: &Sum) -> Number {
         }
         a.abs()
     };
+    if let Some((_, first)) = x.0.first()
+        && x.0.iter().all(|(_, k)| k.abs() == first.abs())
+    {
+        return first.abs();
+    }
     let (mut top, mut bottom) = (0_i64, 1_i64);
     for (_, k) in &x.0 {
         let Some((p, q)) = k.fraction() else { return Number::ONE };

@@ -24,8 +24,6 @@ impl Number {
     pub const ZERO: Self = Self::Ratio(0, 1);
     /// 1
     pub const ONE: Self = Self::Ratio(1, 1);
-    /// 1/2
-    pub const HALF: Self = Self::Ratio(1, 2);
 
     /// The integer n.
     pub const fn integer(n: i64) -> Self {

@@ -2,15 +2,18 @@
 //!
 //! `read` multiplies everything out and gives up on what grows too long; `read_in_parts` keeps the
 //! graph's own labelled values (`omega_arm_y`) as names with definitions beside them, and always ends.
+//! Functions of long arguments (the length of a spring between two points) may be named in both.
 
-use super::form::{AtomId, Class, Forms, MOST_TERMS, Monomial, Sum};
+use super::form::{AtomId, Class, Depends, Forms, MOST_TERMS, Monomial, Sum};
 use super::number::Number;
-use crate::expr::{Graph, Id, Node, SymbolId, SymbolKind};
+use crate::expr::{F1, Graph, Id, Node, SymbolId, SymbolKind};
 use model_dsl::rig::Rig;
 use model_dsl::units::{Dimension, Unit};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
+/// Terms of a function's argument, above which the function's value is given a name.
+const LONG_ARGUMENT: usize = 5;
 /// Terms of a value without a label, above which it is given a name of its own.
 const LONG_PART: usize = 6;
 
@@ -33,7 +36,7 @@ fn class_of(unit: &Unit) -> Class {
 
 /// Gives every name of a rig its place, in order of declaration: the order in which products are written.
 pub fn register(rig: &Rig, forms: &mut Forms) {
-    let none = super::form::Depends::default();
+    let none = Depends::default();
     for p in &rig.parameters {
         forms.named(&p.name, class_of(&p.unit), none);
     }
@@ -59,7 +62,7 @@ pub fn register(rig: &Rig, forms: &mut Forms) {
 /// The atom of a lump that is shown by its name.
 pub fn lump_atom(rig: &Rig, definition: usize, forms: &mut Forms) -> AtomId {
     let d = &rig.definitions[definition];
-    forms.named(&d.name, class_of(&d.unit), super::form::Depends::default())
+    forms.named(&d.name, class_of(&d.unit), Depends::default())
 }
 
 /// Reads one graph into forms.
@@ -68,12 +71,27 @@ pub struct Reader<'a> {
     graph: &'a Graph,
     symbols: FxHashMap<SymbolId, AtomId>,
     memo: FxHashMap<Id, Option<Rc<Sum>>>,
+    /// Named parts, each over earlier ones.
+    pub parts: Vec<Part>,
+    /// Whether functions of long arguments are given names; not where two models are compared.
+    pub names_parts: bool,
+    named_calls: FxHashMap<AtomId, AtomId>,
+    taken: FxHashMap<String, usize>,
 }
 
 impl<'a> Reader<'a> {
     /// Reader of a rig's graph.
     pub fn new(rig: &'a Rig, graph: &'a Graph) -> Self {
-        Self { rig, graph, symbols: FxHashMap::default(), memo: FxHashMap::default() }
+        Self {
+            rig,
+            graph,
+            symbols: FxHashMap::default(),
+            memo: FxHashMap::default(),
+            parts: Vec::new(),
+            names_parts: false,
+            named_calls: FxHashMap::default(),
+            taken: FxHashMap::default(),
+        }
     }
 
     /// The atom of a symbol.
@@ -92,7 +110,7 @@ impl<'a> Reader<'a> {
             SymbolKind::Parameter(i) => self.rig.parameters.get(i).map_or(Class::Parameter, |p| class_of(&p.unit)),
             SymbolKind::Definition(_) | SymbolKind::Inertial(_) => Class::Parameter,
         };
-        let atom = forms.named(&info.name, class, super::form::Depends::default());
+        let atom = forms.named(&info.name, class, Depends::default());
         self.symbols.insert(symbol, atom);
         atom
     }
@@ -110,12 +128,9 @@ impl<'a> Reader<'a> {
         roots.iter().map(|id| self.memo[id].clone()).collect()
     }
 
-    /// Over the graph's labelled values, which are given names and definitions.
-    pub fn read_in_parts(&mut self, forms: &mut Forms, roots: &[Id]) -> (Vec<Sum>, Vec<Part>) {
+    /// Over the graph's labelled values, which become named parts.
+    pub fn read_in_parts(&mut self, forms: &mut Forms, roots: &[Id]) -> Vec<Sum> {
         let mut values: FxHashMap<Id, Rc<Sum>> = FxHashMap::default();
-        let mut parts = Vec::new();
-        let mut taken: FxHashSet<String> = FxHashSet::default();
-        let mut numbered: FxHashMap<String, usize> = FxHashMap::default();
         for id in self.graph.reachable(roots) {
             let value = match self.value(forms, id, &|x| values.get(&x).cloned()) {
                 Some(value) => value,
@@ -125,23 +140,46 @@ impl<'a> Reader<'a> {
             let label = self.graph.label_of(id);
             let long = value.len() > if label.is_some() { 1 } else { LONG_PART };
             let value = if short || !long || roots.contains(&id) {
-                Rc::new(value)
+                value
             } else {
-                let base = label.map_or_else(|| format!("{}_", self.graph.scope_of(id).replace([' ', '.'], "_")), str::to_owned);
-                let mut name = base.clone();
-                while label.is_none() && name == base || !taken.insert(name.clone()) {
-                    let n = numbered.entry(base.clone()).or_insert(usize::from(label.is_some()));
-                    *n += 1;
-                    name = if label.is_some() { format!("{base}_{n}") } else { format!("{base}{n}") };
-                }
-                let atom = forms.named(&name, Class::Part, forms.depends_of(&value));
-                parts.push(Part { atom, value });
-                Rc::new(Sum::atom(atom))
+                let base = label.map_or_else(|| format!("{}_1", self.graph.scope_of(id)), str::to_owned);
+                Sum::atom(self.part(forms, &base, value))
             };
-            values.insert(id, value);
+            values.insert(id, Rc::new(value));
         }
-        let roots = roots.iter().map(|id| values[id].as_ref().clone()).collect();
-        (roots, parts)
+        roots.iter().map(|id| values[id].as_ref().clone()).collect()
+    }
+
+    /// Names a value; names that were used before are numbered on.
+    fn part(&mut self, forms: &mut Forms, base: &str, value: Sum) -> AtomId {
+        let base: String = base.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+        let count = self.taken.entry(base.clone()).or_insert(0);
+        *count += 1;
+        let name = match (*count, base.strip_suffix("_1")) {
+            (1, _) => base,
+            (n, Some(stem)) => format!("{stem}_{n}"),
+            (n, None) => format!("{base}_{n}"),
+        };
+        let atom = forms.named(&name, Class::Part, forms.depends_of(&value));
+        self.parts.push(Part { atom, value });
+        atom
+    }
+
+    /// A function's value, named where its argument is long.
+    fn call(&mut self, forms: &mut Forms, id: Id, atom: AtomId, longest: usize) -> Sum {
+        if !self.names_parts || longest <= LONG_ARGUMENT {
+            return Sum::atom(atom);
+        }
+        if let Some(&part) = self.named_calls.get(&atom) {
+            return Sum::atom(part);
+        }
+        // the root of a sum of squares under a spring or damper is its length
+        let scope = self.graph.scope_of(id).to_owned();
+        let connects = self.rig.springs.iter().any(|s| s.name == scope) || self.rig.dampers.iter().any(|d| d.name == scope);
+        let base = if connects && matches!(self.graph.node(id), Node::Call(F1::Sqrt, _)) { format!("length_{scope}") } else { format!("{scope}_1") };
+        let part = self.part(forms, &base, Sum::atom(atom));
+        self.named_calls.insert(atom, part);
+        Sum::atom(part)
     }
 
     /// A product or quotient that was not multiplied out: its operands as factors.
@@ -175,11 +213,15 @@ impl<'a> Reader<'a> {
             Node::Powi(a, n) => forms.powi(&*of(a)?, n)?,
             Node::Call(f, a) => {
                 let x = of(a)?.as_ref().clone();
-                Sum::atom(forms.call(f, x))
+                let longest = x.len();
+                let atom = forms.call(f, x);
+                self.call(forms, id, atom, longest)
             }
             Node::Call2(f, a, b) => {
                 let (x, y) = (of(a)?.as_ref().clone(), of(b)?.as_ref().clone());
-                Sum::atom(forms.call2(f, x, y))
+                let longest = x.len().max(y.len());
+                let atom = forms.call2(f, x, y);
+                self.call(forms, id, atom, longest)
             }
         })
     }
@@ -189,7 +231,7 @@ impl<'a> Reader<'a> {
 fn number(forms: &mut Forms, x: f64) -> Sum {
     match Number::over_pi(x) {
         Some(ratio) => {
-            let pi = forms.named("pi", Class::Pi, super::form::Depends::default());
+            let pi = forms.named("pi", Class::Pi, Depends::default());
             Sum::term(Monomial(vec![(pi, 1)]), ratio)
         }
         None => Sum::number(Number::of(x)),

@@ -84,7 +84,7 @@ pub fn sheet(rig: &Rig, e: &Equations) -> Sheet {
         }
         let mut right = Vec::new();
         let products = &entries.coriolis[i];
-        if text(products).len() > SHORT_PRODUCTS {
+        if text(products).len() > SHORT_PRODUCTS || over_parts(products, &entries) {
             let entry = Tree::Entry("h", vec![name(i)]);
             left.push((false, entry.clone()));
             table.push(Line { left: entry, right: products.clone().into_terms() });
@@ -160,7 +160,12 @@ fn outputs(rig: &Rig, entries: &Entries) -> Vec<Line> {
         .iter()
         .zip(&entries.outputs)
         .filter(|(o, tree)| **tree != Tree::Name(o.name.clone()))
-        .map(|(o, tree)| Line { left: Tree::Name(o.name.clone()), right: tree.clone().into_terms() })
+        .map(|(o, tree)| {
+            // an output that has a coordinate's name is not that coordinate
+            let same = rig.coordinates.iter().any(|c| c.name == o.name);
+            let left = if same { Tree::Entry("y", vec![o.name.clone()]) } else { Tree::Name(o.name.clone()) };
+            Line { left, right: tree.clone().into_terms() }
+        })
         .collect()
 }
 
@@ -242,6 +247,14 @@ fn explain_names(rig: &Rig, e: &Equations, sheet: &mut Sheet) {
     }
 }
 
+/// Written over named parts.
+fn over_parts(tree: &Tree, entries: &Entries) -> bool {
+    let mut names = Vec::new();
+    names_in(tree, &mut names);
+    entries.parts.iter().any(|p| names.contains(&p.0))
+}
+
+/// Names in a written expression, each once.
 fn names_in(tree: &Tree, used: &mut Vec<String>) {
     match tree {
         Tree::Number(_) | Tree::Entry(..) => {}

@@ -167,9 +167,17 @@ pub fn mixed_inputs(sum: &Sum, mix: &MixAtoms) -> Sum {
     Sum::collect(out)
 }
 
+/// Longest sum in which multiples of other sums are looked for.
+const LONGEST_SEARCH: usize = 200;
+
 /// Denominators that divide what stands over them.
 pub fn cancelled(forms: &Forms, sum: &Sum) -> Sum {
     let mut sum = sum.clone();
+    if sum.len() > LONGEST_SEARCH {
+        return sum;
+    }
+    // what was tried without success: denominator, its power, moving factors beside it
+    let mut tried: Vec<(AtomId, i32, Monomial)> = Vec::new();
     for _ in 0..ROUNDS {
         let mut step = None;
         'search: for (m, _) in &sum.0 {
@@ -179,6 +187,11 @@ pub fn cancelled(forms: &Forms, sum: &Sum) -> Sum {
                 let fixed = forms.depends(atom).is_static();
                 let moving = |m: &Monomial| m.split(|a| fixed && !forms.depends(a).is_static()).0;
                 let wanted = moving(m);
+                let attempt = (atom, n, wanted.clone());
+                if tried.contains(&attempt) {
+                    continue;
+                }
+                tried.push(attempt);
                 let (over, rest): (Vec<_>, Vec<_>) = sum.0.iter().cloned().partition(|(t, _)| t.power(atom) == n && moving(t) == wanted);
                 if over.len() < bottom.len() {
                     continue;
@@ -191,7 +204,10 @@ pub fn cancelled(forms: &Forms, sum: &Sum) -> Sum {
             }
         }
         match step {
-            Some(next) => sum = next,
+            Some(next) => {
+                sum = next;
+                tried.clear();
+            }
             None => return sum,
         }
     }
@@ -209,6 +225,9 @@ pub struct Known {
 /// Replaces multiples of known sums where that takes terms away, and powers of known products.
 pub fn recognized(sum: &Sum, known: &[Known]) -> Sum {
     let mut sum = sum.clone();
+    if sum.len() > LONGEST_SEARCH {
+        return sum;
+    }
     for entry in known {
         if let Some((product, k)) = entry.value.single() {
             sum = product_recognized(&sum, product, k, entry.atom);
@@ -280,7 +299,15 @@ fn once_recognized(sum: &Sum, entry: &Known) -> Option<Sum> {
 pub fn exact_quotient(sum: &Sum, by: &Sum) -> Option<Sum> {
     let leading = |s: &Sum| s.0.iter().max_by(|a, b| lexicographic(&a.0, &b.0)).cloned();
     let (top, lead) = leading(by)?;
-    let mut rest = sum.clone();
+    // k (L - r)/L: negative powers of what is divided by are lifted first
+    let mut lift = Monomial::one();
+    for (atom, _) in by.0.iter().flat_map(|t| &t.0.0) {
+        let lowest = sum.0.iter().map(|t| t.0.power(*atom)).min().unwrap_or(0);
+        if lowest < 0 {
+            lift = lift.with_power(*atom, -lowest);
+        }
+    }
+    let mut rest = sum.shifted(&lift);
     let mut quotient = Vec::new();
     while let Some((m, k)) = leading(&rest) {
         if quotient.len() > sum.len() {
@@ -295,7 +322,8 @@ pub fn exact_quotient(sum: &Sum, by: &Sum) -> Option<Sum> {
         }
         quotient.push((q, scale));
     }
-    Some(Sum::collect(quotient))
+    let back = lift.powi(-1);
+    Some(Sum::collect(quotient.into_iter().map(|(q, k)| (q.times(&back), k))))
 }
 
 /// A monomial order: the power of the lowest atom that differs decides.
@@ -336,13 +364,17 @@ pub fn as_factor(forms: &mut Forms, sum: &Sum) -> Option<Known> {
         return None;
     }
     let (_, _, value) = content(sum);
+    // the first that moves has a plus: (x - rest), not (rest - x)
+    let first = value.0.iter().find(|(m, _)| m.0.iter().any(|f| !forms.depends(f.0).is_static()));
+    let turned = first.is_some_and(|t| t.1.is_negative());
+    let value = if turned { value.scaled(Number::integer(-1)) } else { value };
     let atom = forms.factor(value.clone());
     Some(Known { value, atom })
 }
 
 fn is_variable(forms: &Forms, atom: AtomId) -> bool {
     match forms.atom(atom) {
-        Atom::Name(i) => matches!(forms.name(*i).1, Class::Coordinate | Class::Rate | Class::Lag | Class::Signal | Class::Acceleration),
+        Atom::Name(i) => matches!(forms.name(*i).1, Class::Part | Class::Coordinate | Class::Rate | Class::Lag | Class::Signal | Class::Acceleration),
         _ => false,
     }
 }
