@@ -20,7 +20,8 @@ pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>)
         };
         if chain.iter().any(|r| r.name.text == found.name.text) {
             diagnostics.push(
-                Diagnostic::error("E0208", format!("`{}` extends itself in a circle", found.name.text), base.span, "closes the circle").help("a rig can extend only what does not extend it"),
+                Diagnostic::error("E0208", format!("`{}` extends itself in a circle", found.name.text), base.span, "closes the circle")
+                    .help("a rig can extend only what does not extend it"),
             );
             break;
         }
@@ -63,7 +64,12 @@ fn add(statements: &mut Vec<Statement>, new: &Statement, diagnostics: &mut Vec<D
         Some(place) => statements[place] = Statement { action: Action::Add, ..new.clone() },
         None => {
             let names: Vec<&str> = statements.iter().filter(|s| s.keyword == new.keyword).map(|s| s.name.text.as_str()).collect();
-            let mut d = Diagnostic::error("E0207", format!("there is no {} `{}` to replace", new.keyword, new.name.text), new.name.span, "nothing of this name before");
+            let mut d = Diagnostic::error(
+                "E0207",
+                format!("there is no {} `{}` to replace", new.keyword, new.name.text),
+                new.name.span,
+                "nothing of this name before",
+            );
             d = match nearest(&new.name.text, names.iter().copied()) {
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help("to add it, leave out `replace`"),
@@ -95,7 +101,11 @@ fn equation_of(statement: &Statement) -> Option<String> {
 fn remove(statements: &mut Vec<Statement>, removal: &Removal, diagnostics: &mut Vec<Diagnostic>) {
     let wanted = |s: &Statement| {
         let kind = removal.keyword.as_ref().is_none_or(|k| k.text == s.keyword);
-        let name = if s.keyword == "equation" { equation_of(s).as_deref() == Some(removal.name.text.as_str()) } else { s.name.text == removal.name.text };
+        let name = if s.keyword == "equation" {
+            equation_of(s).as_deref() == Some(removal.name.text.as_str())
+        } else {
+            s.name.text == removal.name.text
+        };
         kind && name
     };
     let found: Vec<&'static str> = statements.iter().filter(|s| wanted(s)).map(|s| s.keyword).collect();
@@ -104,7 +114,12 @@ fn remove(statements: &mut Vec<Statement>, removal: &Removal, diagnostics: &mut 
     match kinds.len() {
         0 => {
             let names: Vec<&str> = statements.iter().map(|s| s.name.text.as_str()).collect();
-            let mut d = Diagnostic::error("E0207", format!("there is no `{}` to remove", removal.name.text), removal.name.span, "nothing of this name in the base");
+            let mut d = Diagnostic::error(
+                "E0207",
+                format!("there is no `{}` to remove", removal.name.text),
+                removal.name.span,
+                "nothing of this name in the base",
+            );
             if let Some(near) = nearest(&removal.name.text, names.iter().copied()) {
                 d = d.help(format!("did you mean `{near}`?"));
             }
@@ -112,8 +127,13 @@ fn remove(statements: &mut Vec<Statement>, removal: &Removal, diagnostics: &mut 
         }
         1 => statements.retain(|s| !wanted(s)),
         _ => {
-            let d = Diagnostic::error("E0207", format!("`{}` names several statements: {}", removal.name.text, kinds.join(", ")), removal.name.span, "which one?")
-                .help(format!("write `remove {} {};`", kinds[0], removal.name.text));
+            let d = Diagnostic::error(
+                "E0207",
+                format!("`{}` names several statements: {}", removal.name.text, kinds.join(", ")),
+                removal.name.span,
+                "which one?",
+            )
+            .help(format!("write `remove {} {};`", kinds[0], removal.name.text));
             diagnostics.push(d);
         }
     }

@@ -76,7 +76,10 @@ fn read(
 ) {
     let place = by.unwrap_or_default();
     if chain.iter().any(|n| n == name) {
-        diagnostics.push(Diagnostic::error("E0105", format!("`{name}` uses itself in a circle"), place, "closes the circle").help("move what both files need into a third one"));
+        diagnostics.push(
+            Diagnostic::error("E0105", format!("`{name}` uses itself in a circle"), place, "closes the circle")
+                .help("move what both files need into a third one"),
+        );
         return;
     }
     if sources.files.iter().any(|(n, _)| n == name) {
@@ -97,7 +100,9 @@ fn read(
             let text = String::from_utf8_lossy(e.as_bytes()).into_owned();
             sources.files.push((name.to_owned(), text));
             let span = rig::Span { file, start: at as u32, end: at as u32 + 1 };
-            diagnostics.push(Diagnostic::error("E0104", format!("`{name}` is not UTF-8 text"), span, "from here on").help("save the file as UTF-8"));
+            diagnostics.push(
+                Diagnostic::error("E0104", format!("`{name}` is not UTF-8 text"), span, "from here on").help("save the file as UTF-8"),
+            );
             return;
         }
     };
@@ -136,7 +141,11 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
                 None => "there is no rig in this file".to_owned(),
             };
             let d = Diagnostic::error("E0114", message, rig::Span::default(), "");
-            diagnostics.push(if names.is_empty() { d.help("write `rig NAME { .. }`") } else { d.help(format!("it has {}", names.join(", "))) });
+            diagnostics.push(if names.is_empty() {
+                d.help("write `rig NAME { .. }`")
+            } else {
+                d.help(format!("it has {}", names.join(", ")))
+            });
         }
         None => {}
     }
@@ -158,7 +167,14 @@ pub fn parse_value(text: &str, expected: &units::Unit) -> Result<f64, String> {
     let expr = parser::parse_expression(&tokens, &mut diagnostics);
     let scope = quantity::Scope::default();
     let mut used = std::collections::BTreeSet::new();
-    let checked = expr.as_ref().and_then(|e| quantity::Checker { scope: &scope, diagnostics: &mut diagnostics, used: &mut used }.expect(e, expected.dimension, "this", quantity::Allowed::Numbers));
+    let checked = expr.as_ref().and_then(|e| {
+        quantity::Checker { scope: &scope, diagnostics: &mut diagnostics, used: &mut used }.expect(
+            e,
+            expected.dimension,
+            "this",
+            quantity::Allowed::Numbers,
+        )
+    });
     let bare = expr.as_ref().is_some_and(quantity::is_bare);
     match (checked, diagnostics.first()) {
         (Some(rig::Expr::Number(x)), None) => Ok(if bare { x * expected.factor } else { x }),

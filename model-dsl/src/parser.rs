@@ -1,7 +1,10 @@
 //! Recursive descent from tokens to the syntax tree. After an error it goes on behind the next `;` or `}`,
 //! so that all errors of a file come at once. Nesting is limited, so that no text overflows the stack.
 
-use crate::ast::{Action, Along, Assume, AxisExpr, AxisOrVector, BodyEntry, Entry, Expr, ExprKind, File, Kind, Name, Removal, RigItem, Statement, Step, UnitExpr, Value, Vector};
+use crate::ast::{
+    Action, Along, Assume, AxisExpr, AxisOrVector, BodyEntry, Entry, Expr, ExprKind, File, Kind, Name, Removal, RigItem, Statement, Step,
+    UnitExpr, Value, Vector,
+};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::rig::{BinaryOp, EnergyKind, Span};
 use crate::token::{Kind as T, Token};
@@ -14,8 +17,32 @@ const LENGTH: u32 = 400;
 
 /// Words that start a statement.
 const STATEMENTS: [&str; 26] = [
-    "param", "const", "derived", "lump", "coord", "prescribed", "frame", "body", "gravity", "input", "actuator", "mix", "force", "torque",
-    "spring", "damper", "friction", "potential", "kinetic", "dissipation", "equation", "encoder", "output", "trim", "assume", "remove",
+    "param",
+    "const",
+    "derived",
+    "lump",
+    "coord",
+    "prescribed",
+    "frame",
+    "body",
+    "gravity",
+    "input",
+    "actuator",
+    "mix",
+    "force",
+    "torque",
+    "spring",
+    "damper",
+    "friction",
+    "potential",
+    "kinetic",
+    "dissipation",
+    "equation",
+    "encoder",
+    "output",
+    "trim",
+    "assume",
+    "remove",
 ];
 
 /// Parses the tokens of one file.
@@ -46,7 +73,11 @@ struct Parser<'a> {
 impl Parser<'_> {
     fn peek_at(&self, k: usize) -> &Token {
         // documentation may stand anywhere; it is seen only by those who look for it
-        self.tokens[self.at.min(self.tokens.len() - 1)..].iter().filter(|t| !matches!(t.kind, T::Doc(..))).nth(k).unwrap_or(&self.tokens[self.tokens.len() - 1])
+        self.tokens[self.at.min(self.tokens.len() - 1)..]
+            .iter()
+            .filter(|t| !matches!(t.kind, T::Doc(..)))
+            .nth(k)
+            .unwrap_or(&self.tokens[self.tokens.len() - 1])
     }
 
     fn peek(&self) -> &Token {
@@ -115,7 +146,12 @@ impl Parser<'_> {
             T::Doc(..) => "documentation".to_owned(),
             T::End => "the end of the text".to_owned(),
         };
-        self.diagnostics.push(Diagnostic::error("E0111", format!("expected {wanted}, found {found}"), token.span, format!("expected {wanted} here")));
+        self.diagnostics.push(Diagnostic::error(
+            "E0111",
+            format!("expected {wanted}, found {found}"),
+            token.span,
+            format!("expected {wanted} here"),
+        ));
         Err(Reported)
     }
 
@@ -424,7 +460,8 @@ impl Parser<'_> {
             }
             "friction" => {
                 let name = self.name("a coordinate, or a name and `on`")?;
-                let of = if self.eat_word("on") { self.expr()? } else { Expr { span: name.span, kind: ExprKind::Name(name.clone(), None) } };
+                let of =
+                    if self.eat_word("on") { self.expr()? } else { Expr { span: name.span, kind: ExprKind::Name(name.clone(), None) } };
                 let entries = self.block()?;
                 (name, Kind::Friction(of, entries))
             }
@@ -594,7 +631,13 @@ impl Parser<'_> {
             if entries.len() != wanted {
                 let what = if diagonal { "diag(I_xx, I_yy, I_zz)" } else { "(I_xx, I_yy, I_zz, I_xy, I_xz, I_yz)" };
                 self.diagnostics.push(
-                    Diagnostic::error("E0111", format!("an inertia tensor has {wanted} entries here, this has {}", entries.len()), span, "entries").help(format!("write {what}")),
+                    Diagnostic::error(
+                        "E0111",
+                        format!("an inertia tensor has {wanted} entries here, this has {}", entries.len()),
+                        span,
+                        "entries",
+                    )
+                    .help(format!("write {what}")),
                 );
                 return Err(Reported);
             }
@@ -686,15 +729,28 @@ impl Parser<'_> {
                 let (components, _) = self.vector()?;
                 let span = self.from(name.span);
                 if components.len() != 3 {
-                    self.diagnostics.push(Diagnostic::error("E0111", format!("a translation has three components, this has {}", components.len()), span, "here").help("write translate(x, y, z)"));
+                    self.diagnostics.push(
+                        Diagnostic::error(
+                            "E0111",
+                            format!("a translation has three components, this has {}", components.len()),
+                            span,
+                            "here",
+                        )
+                        .help("write translate(x, y, z)"),
+                    );
                     return Err(Reported);
                 }
                 Ok(Step::Translate(components, span))
             }
             other => {
                 self.diagnostics.push(
-                    Diagnostic::error("E0111", format!("a frame is reached by `rotate` and `translate`, not by `{other}`"), name.span, "unknown step")
-                        .help("write .rotate(axis, angle) or .translate(x, y, z)"),
+                    Diagnostic::error(
+                        "E0111",
+                        format!("a frame is reached by `rotate` and `translate`, not by `{other}`"),
+                        name.span,
+                        "unknown step",
+                    )
+                    .help("write .rotate(axis, angle) or .translate(x, y, z)"),
                 );
                 Err(Reported)
             }
@@ -710,7 +766,10 @@ impl Parser<'_> {
         match ["x", "y", "z"].iter().position(|a| *a == name.text) {
             Some(index) => Ok(AxisExpr::Principal(index, negative)),
             None => {
-                self.diagnostics.push(Diagnostic::error("E0111", format!("`{}` is no axis", name.text), name.span, "expected an axis").help("axes are x, y, z, -x, -y, -z or (a, b, c)"));
+                self.diagnostics.push(
+                    Diagnostic::error("E0111", format!("`{}` is no axis", name.text), name.span, "expected an axis")
+                        .help("axes are x, y, z, -x, -y, -z or (a, b, c)"),
+                );
                 Err(Reported)
             }
         }
@@ -858,7 +917,10 @@ impl Parser<'_> {
     fn nested<X>(&mut self, parse: impl FnOnce(&mut Self) -> Parsed<X>) -> Parsed<X> {
         if self.depth >= DEPTH {
             let span = self.peek().span;
-            self.diagnostics.push(Diagnostic::error("E0113", format!("nested more than {DEPTH} deep"), span, "too deep here").help("name parts of it with `derived` or `lump`"));
+            self.diagnostics.push(
+                Diagnostic::error("E0113", format!("nested more than {DEPTH} deep"), span, "too deep here")
+                    .help("name parts of it with `derived` or `lump`"),
+            );
             return Err(Reported);
         }
         self.depth += 1;
@@ -872,7 +934,10 @@ impl Parser<'_> {
             return Ok(());
         }
         let span = self.peek().span;
-        self.diagnostics.push(Diagnostic::error("E0113", format!("more than {LENGTH} terms in one expression"), span, "too long here").help("name parts of it with `derived` or `lump`"));
+        self.diagnostics.push(
+            Diagnostic::error("E0113", format!("more than {LENGTH} terms in one expression"), span, "too long here")
+                .help("name parts of it with `derived` or `lump`"),
+        );
         Err(Reported)
     }
 
@@ -979,7 +1044,11 @@ impl Parser<'_> {
         match token.kind {
             T::Punct('%', _) => {
                 self.next();
-                Ok(Some(UnitExpr { text: "%".to_owned(), factors: vec![(Name { text: "percent".to_owned(), span: token.span }, 1)], span: token.span }))
+                Ok(Some(UnitExpr {
+                    text: "%".to_owned(),
+                    factors: vec![(Name { text: "percent".to_owned(), span: token.span }, 1)],
+                    span: token.span,
+                }))
             }
             T::Ident(word) if Unit::named(&word).is_some() && !matches!(self.peek_at(1).kind, T::Punct('(' | '=', _)) => {
                 self.next();

@@ -149,7 +149,11 @@ impl Checker<'_> {
             return Some(Quantity { expr: Expr::Number(std::f64::consts::PI), dimension: Some(Dimension::NONE), bare: false });
         }
         if name.text == "t" && suffix.is_none() && !self.scope.names.contains_key("t") {
-            return self.allowed(Symbol::Time, span, "time", allowed).then_some(Quantity { expr: Expr::Symbol(Symbol::Time), dimension: Some(Dimension::TIME), bare: false });
+            return self.allowed(Symbol::Time, span, "time", allowed).then_some(Quantity {
+                expr: Expr::Symbol(Symbol::Time),
+                dimension: Some(Dimension::TIME),
+                bare: false,
+            });
         }
         let Some(meaning) = self.scope.names.get(&name.text) else {
             let mut d = Diagnostic::error("E0201", format!("there is no `{}` in this rig", name.text), name.span, "unknown name");
@@ -169,14 +173,21 @@ impl Checker<'_> {
                 "ddot" => 2,
                 _ => {
                     self.diagnostics.push(
-                        Diagnostic::error("E0201", format!("`.{}` means nothing", suffix.text), suffix.span, "expected `dot` or `ddot`").help("`eps.dot` is the rate of eps, `eps.ddot` its acceleration"),
+                        Diagnostic::error("E0201", format!("`.{}` means nothing", suffix.text), suffix.span, "expected `dot` or `ddot`")
+                            .help("`eps.dot` is the rate of eps, `eps.ddot` its acceleration"),
                     );
                     return None;
                 }
             };
             let Symbol::Coordinate(i) = symbol else {
                 self.diagnostics.push(
-                    Diagnostic::error("E0206", format!("`{}` is {}: only coordinates have rates", name.text, meaning.what), span, "not a coordinate").also(meaning.span, "declared here"),
+                    Diagnostic::error(
+                        "E0206",
+                        format!("`{}` is {}: only coordinates have rates", name.text, meaning.what),
+                        span,
+                        "not a coordinate",
+                    )
+                    .also(meaning.span, "declared here"),
                 );
                 return None;
             };
@@ -195,7 +206,12 @@ impl Checker<'_> {
     fn allowed(&mut self, symbol: Symbol, span: Span, what: &str, allowed: Allowed) -> bool {
         let ok = allowed.accepts(symbol);
         if !ok {
-            self.diagnostics.push(Diagnostic::error("E0206", format!("{what} cannot stand here"), span, format!("this place takes {}", allowed.words())));
+            self.diagnostics.push(Diagnostic::error(
+                "E0206",
+                format!("{what} cannot stand here"),
+                span,
+                format!("this place takes {}", allowed.words()),
+            ));
         }
         ok
     }
@@ -215,9 +231,14 @@ impl Checker<'_> {
                 {
                     let verb = if op == BinaryOp::Add { "added to" } else { "subtracted from" };
                     let (what, other) = if op == BinaryOp::Add { (x, y) } else { (y, x) };
-                    let mut d = Diagnostic::error("E0232", format!("{} cannot be {verb} {}", in_words(what), in_words(other)), span, "different dimensions")
-                        .also(a.span, in_words(x))
-                        .also(b.span, in_words(y));
+                    let mut d = Diagnostic::error(
+                        "E0232",
+                        format!("{} cannot be {verb} {}", in_words(what), in_words(other)),
+                        span,
+                        "different dimensions",
+                    )
+                    .also(a.span, in_words(x))
+                    .also(b.span, in_words(y));
                     d = if x.equal_but_for_cycles(y) { hertz(d) } else { d };
                     self.diagnostics.push(d);
                     return None;
@@ -253,7 +274,12 @@ impl Checker<'_> {
         let (base, exponent) = (self.check(a, allowed), self.check(b, allowed));
         let (base, exponent) = (base?, exponent?);
         if exponent.dimension.is_some_and(|d| d != Dimension::NONE) {
-            self.diagnostics.push(Diagnostic::error("E0233", "an exponent is a plain number", b.span, in_words(exponent.dimension.unwrap_or_default())));
+            self.diagnostics.push(Diagnostic::error(
+                "E0233",
+                "an exponent is a plain number",
+                b.span,
+                in_words(exponent.dimension.unwrap_or_default()),
+            ));
             return None;
         }
         let dimension = match (base.dimension, &exponent.expr) {
@@ -262,7 +288,8 @@ impl Checker<'_> {
             (Some(d), _) if d == Dimension::NONE => Some(d),
             (Some(d), _) => {
                 self.diagnostics.push(
-                    Diagnostic::error("E0233", "a power that is no whole number needs a base without dimension", a.span, in_words(d)).help("divide by a unit first: `(V / 1 V)^2.072`"),
+                    Diagnostic::error("E0233", "a power that is no whole number needs a base without dimension", a.span, in_words(d))
+                        .help("divide by a unit first: `(V / 1 V)^2.072`"),
                 );
                 return None;
             }
@@ -287,7 +314,12 @@ impl Checker<'_> {
             return None;
         };
         if args.len() != *arity {
-            let d = Diagnostic::error("E0205", format!("`{}` takes {arity} argument{}, this has {}", name.text, if *arity == 1 { "" } else { "s" }, args.len()), span, "here");
+            let d = Diagnostic::error(
+                "E0205",
+                format!("`{}` takes {arity} argument{}, this has {}", name.text, if *arity == 1 { "" } else { "s" }, args.len()),
+                span,
+                "here",
+            );
             self.diagnostics.push(d);
             return None;
         }
@@ -299,7 +331,12 @@ impl Checker<'_> {
                 Some(d) => match d.sqrt() {
                     Some(root) => Some(root),
                     None => {
-                        self.diagnostics.push(Diagnostic::error("E0233", format!("{} has no square root as a unit", in_words(d)), args[0].span, "odd exponents"));
+                        self.diagnostics.push(Diagnostic::error(
+                            "E0233",
+                            format!("{} has no square root as a unit", in_words(d)),
+                            args[0].span,
+                            "odd exponents",
+                        ));
                         return None;
                     }
                 },
@@ -314,7 +351,12 @@ impl Checker<'_> {
                     }
                     match (common, quantity.dimension) {
                         (Some(x), Some(y)) if x != y => {
-                            self.diagnostics.push(Diagnostic::error("E0232", format!("the arguments of `{}` have different dimensions", name.text), arg.span, format!("{}, before it {}", in_words(y), in_words(x))));
+                            self.diagnostics.push(Diagnostic::error(
+                                "E0232",
+                                format!("the arguments of `{}` have different dimensions", name.text),
+                                arg.span,
+                                format!("{}, before it {}", in_words(y), in_words(x)),
+                            ));
                             return None;
                         }
                         (None, d) => common = d,
@@ -327,7 +369,12 @@ impl Checker<'_> {
                 if let Some(d) = checked[0].dimension
                     && d != Dimension::NONE
                 {
-                    let mut diagnostic = Diagnostic::error("E0233", format!("`{}` takes an angle or a plain number, this is {}", name.text, in_words(d)), args[0].span, in_words(d));
+                    let mut diagnostic = Diagnostic::error(
+                        "E0233",
+                        format!("`{}` takes an angle or a plain number, this is {}", name.text, in_words(d)),
+                        args[0].span,
+                        in_words(d),
+                    );
                     if d == Dimension::NONE / Dimension::TIME {
                         diagnostic = diagnostic.help("a rate times time is an angle");
                     }
@@ -406,7 +453,11 @@ fn mismatch(span: Span, wanted: Dimension, found: Dimension, what: &str) -> Diag
     } else {
         Diagnostic::error("E0231", format!("{what} needs {needs}, this is {}", in_words(found)), span, in_words(found))
     };
-    if found == wanted * Dimension::LENGTH && wanted == Dimension::FORCE { d.help("for a torque write `torque NAME on FRAME: (..);`") } else { d }
+    if found == wanted * Dimension::LENGTH && wanted == Dimension::FORCE {
+        d.help("for a torque write `torque NAME on FRAME: (..);`")
+    } else {
+        d
+    }
 }
 
 fn hertz(d: Diagnostic) -> Diagnostic {

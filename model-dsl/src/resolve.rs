@@ -1,6 +1,8 @@
 //! Statements to the checked rig: every name resolved, every dimension checked, every number in SI.
 
-use crate::ast::{self, Along as AstAlong, Assume, AxisExpr, AxisOrVector, BodyEntry, Entry, Expr as Ast, ExprKind, Kind, Name, Statement, Value};
+use crate::ast::{
+    self, Along as AstAlong, Assume, AxisExpr, AxisOrVector, BodyEntry, Entry, Expr as Ast, ExprKind, Kind, Name, Statement, Value,
+};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::quantity::{Allowed, Checker, Meaning, Quantity, Scope, is_bare};
 use crate::rig::*;
@@ -82,7 +84,10 @@ impl Resolver<'_> {
 
     fn vector(&mut self, v: &ast::Vector, wanted: Dimension, what: &str, allowed: Allowed) -> [Expr; 3] {
         if v.0.len() != 3 {
-            self.diagnostics.push(Diagnostic::error("E0111", format!("a vector has three components, this has {}", v.0.len()), v.1, "here").help("write (x, y, z)"));
+            self.diagnostics.push(
+                Diagnostic::error("E0111", format!("a vector has three components, this has {}", v.0.len()), v.1, "here")
+                    .help("write (x, y, z)"),
+            );
         }
         std::array::from_fn(|k| v.0.get(k).map_or(Expr::Number(0.0), |e| self.expect(e, wanted, what, allowed)))
     }
@@ -91,7 +96,10 @@ impl Resolver<'_> {
     fn constant(&mut self, ast: &Ast, unit: &Unit, what: &str) -> Option<f64> {
         let Quantity { expr, dimension, .. } = self.checker().check(ast, Allowed::Numbers)?;
         let Expr::Number(x) = expr else {
-            self.diagnostics.push(Diagnostic::error("E0314", format!("{what} must be a number"), ast.span, "not a number").help("for a value computed from parameters use `derived`"));
+            self.diagnostics.push(
+                Diagnostic::error("E0314", format!("{what} must be a number"), ast.span, "not a number")
+                    .help("for a value computed from parameters use `derived`"),
+            );
             return None;
         };
         if is_bare(ast) {
@@ -117,7 +125,12 @@ impl Resolver<'_> {
             return;
         }
         if ["t", "pi", "ground"].contains(&name.text.as_str()) {
-            self.diagnostics.push(Diagnostic::error("E0202", format!("`{}` is a name of the language", name.text), name.span, "choose another name"));
+            self.diagnostics.push(Diagnostic::error(
+                "E0202",
+                format!("`{}` is a name of the language", name.text),
+                name.span,
+                "choose another name",
+            ));
         }
         self.scope.order.push(name.text.clone());
         self.scope.names.insert(name.text.clone(), Meaning { symbol, dimension, span: name.span, what });
@@ -129,7 +142,12 @@ impl Resolver<'_> {
                 Kind::Param(unit, value, constant) => {
                     let unit = self.checker().unit(unit);
                     let index = self.rig.parameters.len();
-                    self.declare(&s.name, Symbol::Parameter(index), unit.as_ref().map(|u| u.dimension), if *constant { "a constant" } else { "a parameter" });
+                    self.declare(
+                        &s.name,
+                        Symbol::Parameter(index),
+                        unit.as_ref().map(|u| u.dimension),
+                        if *constant { "a constant" } else { "a parameter" },
+                    );
                     let unit = unit.unwrap_or_else(Unit::none);
                     self.parameter(&s.name, &s.doc, unit, value, *constant, None);
                 }
@@ -137,7 +155,12 @@ impl Resolver<'_> {
                     let declared = unit.as_ref().and_then(|u| self.checker().unit(u));
                     let index = self.rig.definitions.len();
                     // an inferred unit is filled in when its definition is checked
-                    self.declare(&s.name, Symbol::Definition(index), declared.as_ref().map(|u| u.dimension), if *is_lump { "a lump" } else { "a derived parameter" });
+                    self.declare(
+                        &s.name,
+                        Symbol::Definition(index),
+                        declared.as_ref().map(|u| u.dimension),
+                        if *is_lump { "a lump" } else { "a derived parameter" },
+                    );
                     let parameter = own.as_ref().map(|_| self.rig.parameters.len());
                     if let Some(value) = own {
                         let unit = declared.clone().unwrap_or_else(Unit::none);
@@ -161,7 +184,15 @@ impl Resolver<'_> {
                         && u.dimension != Dimension::NONE
                         && u.dimension != Dimension::LENGTH
                     {
-                        self.diagnostics.push(Diagnostic::error("E0231", format!("a coordinate is an angle or a length, this is {}", u.dimension), s.name.span, "declared here").help("write `rad` or `m`"));
+                        self.diagnostics.push(
+                            Diagnostic::error(
+                                "E0231",
+                                format!("a coordinate is an angle or a length, this is {}", u.dimension),
+                                s.name.span,
+                                "declared here",
+                            )
+                            .help("write `rad` or `m`"),
+                        );
                     }
                     self.declare(&s.name, Symbol::Coordinate(index), unit.as_ref().map(|u| u.dimension), "a coordinate");
                     let unit = unit.unwrap_or_else(Unit::none);
@@ -169,7 +200,15 @@ impl Resolver<'_> {
                     // coordinates live in SI; the declared unit is for what is given and shown
                     let text = if unit.dimension == Dimension::LENGTH { "m" } else { "rad" };
                     let si = Unit { text: text.to_owned(), factor: 1.0, dimension: unit.dimension };
-                    self.rig.coordinates.push(Coordinate { name: s.name.text.clone(), doc: s.doc.clone(), unit: si, range, prescribed: *prescribed, trajectory: None, span: s.name.span });
+                    self.rig.coordinates.push(Coordinate {
+                        name: s.name.text.clone(),
+                        doc: s.doc.clone(),
+                        unit: si,
+                        range,
+                        prescribed: *prescribed,
+                        trajectory: None,
+                        span: s.name.span,
+                    });
                 }
                 _ => {}
             }
@@ -190,7 +229,15 @@ impl Resolver<'_> {
         let (a, b) = (a?, b?);
         if a >= b {
             let span = Span { end: hi.span.end, ..lo.span };
-            self.diagnostics.push(Diagnostic::error("E0310", format!("{what} goes from the lower to the upper end, this is empty"), span, "nothing lies in here").help("write lower..upper"));
+            self.diagnostics.push(
+                Diagnostic::error(
+                    "E0310",
+                    format!("{what} goes from the lower to the upper end, this is empty"),
+                    span,
+                    "nothing lies in here",
+                )
+                .help("write lower..upper"),
+            );
             return None;
         }
         Some((a, b))
@@ -200,11 +247,16 @@ impl Resolver<'_> {
         let number = self.constant(&value.value, &unit, "a parameter's value").unwrap_or(0.0);
         let prior_sd = value.prior.as_ref().and_then(|p| {
             let relative = matches!(&p.kind, ExprKind::Number(_, Some(u)) if u.text == "%");
-            let sd = if relative { self.constant(p, &Unit::none(), "a prior").map(|x| x * number.abs()) } else { self.constant(p, &unit, "a prior") };
+            let sd = if relative {
+                self.constant(p, &Unit::none(), "a prior").map(|x| x * number.abs())
+            } else {
+                self.constant(p, &unit, "a prior")
+            };
             match sd {
                 Some(sd) if sd <= 0.0 => {
                     self.diagnostics.push(
-                        Diagnostic::error("E0310", "a prior needs a positive standard deviation", p.span, "this is zero or less").help("write `fixed` to hold the value, or leave `+-` out to leave it free"),
+                        Diagnostic::error("E0310", "a prior needs a positive standard deviation", p.span, "this is zero or less")
+                            .help("write `fixed` to hold the value, or leave `+-` out to leave it free"),
                     );
                     None
                 }
@@ -215,7 +267,10 @@ impl Resolver<'_> {
         if let (Some((lo, hi)), Some((_, end))) = (bounds, &value.bounds)
             && !(lo..=hi).contains(&number)
         {
-            self.diagnostics.push(Diagnostic::error("E0310", format!("the value of `{}` lies outside its bounds", name.text), value.value.span, "this value").also(end.span, "upper bound"));
+            self.diagnostics.push(
+                Diagnostic::error("E0310", format!("the value of `{}` lies outside its bounds", name.text), value.value.span, "this value")
+                    .also(end.span, "upper bound"),
+            );
         }
         self.rig.parameters.push(Parameter {
             name: name.text.clone(),
@@ -269,13 +324,25 @@ impl Resolver<'_> {
         self.sort_definitions();
     }
 
-    fn visit(&mut self, k: usize, list: &[(&Statement, &Ast)], index_of: &dyn Fn(&str) -> Option<usize>, state: &mut [u8], order: &mut Vec<usize>) {
+    fn visit(
+        &mut self,
+        k: usize,
+        list: &[(&Statement, &Ast)],
+        index_of: &dyn Fn(&str) -> Option<usize>,
+        state: &mut [u8],
+        order: &mut Vec<usize>,
+    ) {
         if state[k] == 2 {
             return;
         }
         if state[k] == 1 {
             let name = &list[k].0.name;
-            self.diagnostics.push(Diagnostic::error("E0204", format!("`{}` is defined by itself", name.text), name.span, "closes a circle of definitions"));
+            self.diagnostics.push(Diagnostic::error(
+                "E0204",
+                format!("`{}` is defined by itself", name.text),
+                name.span,
+                "closes a circle of definitions",
+            ));
             return;
         }
         state[k] = 1;
@@ -293,7 +360,8 @@ impl Resolver<'_> {
         let n = self.rig.definitions.len();
         let mut order: Vec<usize> = Vec::new();
         while order.len() < n {
-            let next = (0..n).find(|k| !order.contains(k) && definitions_in(&self.rig.definitions[*k].value).iter().all(|d| order.contains(d)));
+            let next =
+                (0..n).find(|k| !order.contains(k) && definitions_in(&self.rig.definitions[*k].value).iter().all(|d| order.contains(d)));
             match next {
                 Some(k) => order.push(k),
                 None => break,
@@ -365,7 +433,17 @@ impl Resolver<'_> {
     }
 
     fn path(&mut self, name: &Name, doc: &str, unit: Unit, map: Expr, entries: &[Entry]) -> Actuator {
-        let mut out = Actuator { name: name.text.clone(), doc: doc.to_owned(), unit, map, delay: None, dead_zone: None, saturation: None, lag: None, span: name.span };
+        let mut out = Actuator {
+            name: name.text.clone(),
+            doc: doc.to_owned(),
+            unit,
+            map,
+            delay: None,
+            dead_zone: None,
+            saturation: None,
+            lag: None,
+            span: name.span,
+        };
         let dimension = out.unit.dimension;
         for e in entries {
             let value = &e.values[0];
@@ -385,7 +463,10 @@ impl Resolver<'_> {
     }
 
     fn entry_error(&mut self, e: &Entry, known: &str) {
-        self.diagnostics.push(Diagnostic::error("E0115", format!("`{}` does not fit here", e.key.text), e.key.span, "this entry").help(format!("entries are {known}")));
+        self.diagnostics.push(
+            Diagnostic::error("E0115", format!("`{}` does not fit here", e.key.text), e.key.span, "this entry")
+                .help(format!("entries are {known}")),
+        );
     }
 
     fn mix(&mut self, rows: &[(Name, Ast)], span: Span) {
@@ -409,15 +490,25 @@ impl Resolver<'_> {
             match linear_row(&q.expr, &inputs) {
                 Some(row) => matrix.push(row),
                 None => {
-                    self.diagnostics.push(Diagnostic::error("E0309", "a mix is a sum of inputs times numbers", *place, "not linear in the inputs"));
+                    self.diagnostics.push(Diagnostic::error(
+                        "E0309",
+                        "a mix is a sum of inputs times numbers",
+                        *place,
+                        "not linear in the inputs",
+                    ));
                     return;
                 }
             }
         }
         if matrix.len() != inputs.len() || determinant(&matrix).abs() < 1e-12 {
             self.diagnostics.push(
-                Diagnostic::error("E0309", format!("{} mixed inputs from {} inputs cannot be undone", matrix.len(), inputs.len()), span, "this mix")
-                    .help("a mix needs as many independent rows as it has inputs: `f_s = f_1 + f_2; f_d = f_1 - f_2;`"),
+                Diagnostic::error(
+                    "E0309",
+                    format!("{} mixed inputs from {} inputs cannot be undone", matrix.len(), inputs.len()),
+                    span,
+                    "this mix",
+                )
+                .help("a mix needs as many independent rows as it has inputs: `f_s = f_1 + f_2; f_d = f_1 - f_2;`"),
             );
             return;
         }
@@ -443,10 +534,18 @@ impl Resolver<'_> {
         let names: Vec<String> = list.iter().map(|(s, _, _)| s.name.text.clone()).collect();
         for (k, (s, _, _)) in list.iter().enumerate() {
             if let Some(before) = names[..k].iter().position(|n| *n == s.name.text) {
-                self.diagnostics.push(Diagnostic::error("E0202", format!("the frame `{}` is declared twice", s.name.text), s.name.span, "again here").also(list[before].0.name.span, "first here"));
+                self.diagnostics.push(
+                    Diagnostic::error("E0202", format!("the frame `{}` is declared twice", s.name.text), s.name.span, "again here")
+                        .also(list[before].0.name.span, "first here"),
+                );
             }
             if s.name.text == "ground" {
-                self.diagnostics.push(Diagnostic::error("E0202", "`ground` is the frame that does not move", s.name.span, "choose another name"));
+                self.diagnostics.push(Diagnostic::error(
+                    "E0202",
+                    "`ground` is the frame that does not move",
+                    s.name.span,
+                    "choose another name",
+                ));
             }
         }
         let mut placed: Vec<String> = Vec::new();
@@ -477,7 +576,13 @@ impl Resolver<'_> {
                 let circle = in_circle(k, &list, &names);
                 if circle {
                     self.diagnostics.push(
-                        Diagnostic::error("E0301", format!("the frame `{}` stands on itself", s.name.text), parent.span, "its chain comes back here").help("every chain of frames starts at `ground`"),
+                        Diagnostic::error(
+                            "E0301",
+                            format!("the frame `{}` stands on itself", s.name.text),
+                            parent.span,
+                            "its chain comes back here",
+                        )
+                        .help("every chain of frames starts at `ground`"),
                     );
                 }
             } else {
@@ -490,7 +595,13 @@ impl Resolver<'_> {
                 self.diagnostics.push(d);
             }
             // keep the name, so that bodies on it are no second error
-            self.rig.frames.push(Frame { name: s.name.text.clone(), doc: String::new(), parent: FrameRef::Ground, steps: Vec::new(), span: s.name.span });
+            self.rig.frames.push(Frame {
+                name: s.name.text.clone(),
+                doc: String::new(),
+                parent: FrameRef::Ground,
+                steps: Vec::new(),
+                span: s.name.span,
+            });
         }
     }
 
@@ -519,8 +630,13 @@ impl Resolver<'_> {
     fn affine(&mut self, expr: &Expr, span: Span, what: &str) {
         if degree(expr).is_none_or(|d| d > 1) {
             self.diagnostics.push(
-                Diagnostic::error("E0302", format!("this {what} is not affine in the coordinates"), span, "products or functions of coordinates")
-                    .help("a joint moves by a sum of coordinates times parameters, as in `q1 - 2 * q2 + 30deg`"),
+                Diagnostic::error(
+                    "E0302",
+                    format!("this {what} is not affine in the coordinates"),
+                    span,
+                    "products or functions of coordinates",
+                )
+                .help("a joint moves by a sum of coordinates times parameters, as in `q1 - 2 * q2 + 30deg`"),
             );
         }
     }
@@ -618,29 +734,49 @@ impl Resolver<'_> {
             let found = accelerations(&q.expr);
             let Some(mass) = mass_row(&q.expr) else {
                 self.diagnostics.push(
-                    Diagnostic::error("E0307", "the left-hand side is a sum of accelerations with coefficients", lhs.span, "not of this form").help("write `I * eps.ddot = ..` or `eps.ddot = ..`"),
+                    Diagnostic::error(
+                        "E0307",
+                        "the left-hand side is a sum of accelerations with coefficients",
+                        lhs.span,
+                        "not of this form",
+                    )
+                    .help("write `I * eps.ddot = ..` or `eps.ddot = ..`"),
                 );
                 continue;
             };
             let taken: Vec<usize> = self.rig.equations.iter().map(|e| e.coordinate).collect();
             let Some(&row) = found.iter().find(|i| !taken.contains(i)) else {
-                self.diagnostics.push(Diagnostic::error("E0307", "this coordinate has its equation already", lhs.span, "a second one").help("one equation for each coordinate"));
+                self.diagnostics.push(
+                    Diagnostic::error("E0307", "this coordinate has its equation already", lhs.span, "a second one")
+                        .help("one equation for each coordinate"),
+                );
                 continue;
             };
             let dimension = q.dimension.unwrap_or(Dimension::NONE);
             let value = self.expect(rhs, dimension, "the right-hand side", Allowed::Everything);
             self.rig.equations.push(Equation { coordinate: row, mass, rhs: value, unit: Unit::si(dimension), span: s.span });
         }
-        let missing: Vec<&Coordinate> =
-            self.rig.coordinates.iter().enumerate().filter(|(i, c)| !c.prescribed && !self.rig.equations.iter().any(|e| e.coordinate == *i)).map(|(_, c)| c).collect();
+        let missing: Vec<&Coordinate> = self
+            .rig
+            .coordinates
+            .iter()
+            .enumerate()
+            .filter(|(i, c)| !c.prescribed && !self.rig.equations.iter().any(|e| e.coordinate == *i))
+            .map(|(_, c)| c)
+            .collect();
         if self.rig.equations.len() == list.len()
             && let Some(c) = missing.first()
         {
-            self.diagnostics.push(Diagnostic::error("E0307", format!("`{}` has no equation", c.name), c.span, "declared here").help("where one equation is written directly, every coordinate needs one"));
+            self.diagnostics.push(
+                Diagnostic::error("E0307", format!("`{}` has no equation", c.name), c.span, "declared here")
+                    .help("where one equation is written directly, every coordinate needs one"),
+            );
         }
         if let Some(body) = self.rig.bodies.first() {
             self.diagnostics.push(
-                Diagnostic::error("E0307", "a rig has either bodies or equations written directly", body.span, "a body").also(list[0].0.span, "an equation").help("remove the bodies, or let the program derive the equations"),
+                Diagnostic::error("E0307", "a rig has either bodies or equations written directly", body.span, "a body")
+                    .also(list[0].0.span, "an equation")
+                    .help("remove the bodies, or let the program derive the equations"),
             );
         }
     }
@@ -655,17 +791,29 @@ impl Resolver<'_> {
                 let zero = Expr::Number(0.0);
                 let acceleration = match along {
                     None => [zero.clone(), zero, negative(size)],
-                    Some(AxisOrVector::Axis(k, minus)) => std::array::from_fn(|i| if i != *k { zero.clone() } else if *minus { negative(size.clone()) } else { size.clone() }),
+                    Some(AxisOrVector::Axis(k, minus)) => std::array::from_fn(|i| {
+                        if i != *k {
+                            zero.clone()
+                        } else if *minus {
+                            negative(size.clone())
+                        } else {
+                            size.clone()
+                        }
+                    }),
                     Some(AxisOrVector::Vector(v)) => {
                         let direction = self.vector(v, Dimension::NONE, "a direction", Allowed::Parameters);
-                        direction.map(|d| if d == Expr::Number(0.0) { d } else { Expr::Binary(BinaryOp::Mul, Box::new(size.clone()), Box::new(d)) })
+                        direction.map(|d| {
+                            if d == Expr::Number(0.0) { d } else { Expr::Binary(BinaryOp::Mul, Box::new(size.clone()), Box::new(d)) }
+                        })
                     }
                 };
                 self.rig.gravity = Some(Gravity { acceleration, span: s.span });
             }
             Kind::Force(frame, at, vector, axes, against) => {
                 let frame = self.frame(frame);
-                let point = at.as_ref().map_or([Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0)], |p| self.vector(p, Dimension::LENGTH, "a point", Allowed::Parameters));
+                let point = at.as_ref().map_or([Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0)], |p| {
+                    self.vector(p, Dimension::LENGTH, "a point", Allowed::Parameters)
+                });
                 let vector = self.vector(vector, Dimension::FORCE, "a force", Allowed::Everything);
                 let axes = axes.as_ref().map_or(frame, |n| self.frame(n));
                 let against = against.as_ref().map(|n| self.frame(n));
@@ -693,7 +841,14 @@ impl Resolver<'_> {
                 let mut viscous = Expr::Number(0.0);
                 for e in entries {
                     match e.key.text.as_str() {
-                        "viscous" => viscous = self.expect(&e.values[0], Dimension::FORCE * Dimension::TIME / Dimension::LENGTH, "a damper", Allowed::Parameters),
+                        "viscous" => {
+                            viscous = self.expect(
+                                &e.values[0],
+                                Dimension::FORCE * Dimension::TIME / Dimension::LENGTH,
+                                "a damper",
+                                Allowed::Parameters,
+                            )
+                        }
                         _ => self.entry_error(e, "viscous C"),
                     }
                 }
@@ -758,13 +913,20 @@ impl Resolver<'_> {
             .chain(rig.functions.iter().map(|x| (&x.name, x.span)))
             .find(|(n, _)| **n == s.name.text);
         if let Some((_, place)) = before {
-            self.diagnostics.push(Diagnostic::error("E0202", format!("`{}` is declared twice", s.name.text), s.name.span, "again here").also(place, "first here").help("rename one of them"));
+            self.diagnostics.push(
+                Diagnostic::error("E0202", format!("`{}` is declared twice", s.name.text), s.name.span, "again here")
+                    .also(place, "first here")
+                    .help("rename one of them"),
+            );
         }
     }
 
     fn output(&mut self, output: Output, s: &Statement) {
         if let Some(before) = self.rig.outputs.iter().find(|o| o.name == output.name) {
-            self.diagnostics.push(Diagnostic::error("E0202", format!("the output `{}` is declared twice", output.name), s.name.span, "again here").also(before.span, "first here"));
+            self.diagnostics.push(
+                Diagnostic::error("E0202", format!("the output `{}` is declared twice", output.name), s.name.span, "again here")
+                    .also(before.span, "first here"),
+            );
             return;
         }
         self.rig.outputs.push(output);
@@ -781,7 +943,10 @@ impl Resolver<'_> {
             match (key.text.as_str(), value) {
                 ("wrapped", _) => out.wrapped = true,
                 ("zero", Some(v)) => out.zero = Some(self.expect(v, dimension, "an encoder's zero", Allowed::Parameters)),
-                _ => self.diagnostics.push(Diagnostic::error("E0115", format!("`{}` is no option of an encoder", key.text), key.span, "here").help("options are `zero at VALUE` and `wrapped`")),
+                _ => self.diagnostics.push(
+                    Diagnostic::error("E0115", format!("`{}` is no option of an encoder", key.text), key.span, "here")
+                        .help("options are `zero at VALUE` and `wrapped`"),
+                ),
             }
         }
         Some(out)
@@ -812,7 +977,9 @@ impl Resolver<'_> {
                     "at"
                 }
                 BodyEntry::Inertia(v, origin, _) => {
-                    body.inertia = std::array::from_fn(|k| v.get(k).map_or_else(zero, |e| self.expect(e, Dimension::INERTIA, "an inertia", Allowed::Parameters)));
+                    body.inertia = std::array::from_fn(|k| {
+                        v.get(k).map_or_else(zero, |e| self.expect(e, Dimension::INERTIA, "an inertia", Allowed::Parameters))
+                    });
                     if *origin {
                         body.about = InertiaPoint::FrameOrigin;
                     }
@@ -820,15 +987,26 @@ impl Resolver<'_> {
                 }
             };
             if seen.contains(&key) {
-                self.diagnostics.push(Diagnostic::error("E0115", format!("the body `{}` has `{key}` twice", body.name), s.name.span, "this body"));
+                self.diagnostics.push(Diagnostic::error(
+                    "E0115",
+                    format!("the body `{}` has `{key}` twice", body.name),
+                    s.name.span,
+                    "this body",
+                ));
             }
             seen.push(key);
         }
         if !seen.contains(&"mass") && !seen.contains(&"inertia") {
-            self.diagnostics.push(Diagnostic::error("E0115", format!("the body `{}` has no mass", body.name), s.name.span, "this body").help("write `mass m;` in it"));
+            self.diagnostics.push(
+                Diagnostic::error("E0115", format!("the body `{}` has no mass", body.name), s.name.span, "this body")
+                    .help("write `mass m;` in it"),
+            );
         }
         if let Some(before) = self.rig.bodies.iter().find(|b| b.name == body.name) {
-            self.diagnostics.push(Diagnostic::error("E0202", format!("the body `{}` is declared twice", body.name), s.name.span, "again here").also(before.span, "first here"));
+            self.diagnostics.push(
+                Diagnostic::error("E0202", format!("the body `{}` is declared twice", body.name), s.name.span, "again here")
+                    .also(before.span, "first here"),
+            );
         }
         self.rig.bodies.push(body);
     }
@@ -857,7 +1035,14 @@ impl Resolver<'_> {
             Along::Coordinate(e) => self.row_of(e),
             Along::Points { .. } => Dimension::FORCE,
         };
-        let mut out = Spring { name: s.name.text.clone(), along, stiffness: Expr::Number(0.0), rest: Expr::Number(0.0), cubic: Expr::Number(0.0), span: s.name.span };
+        let mut out = Spring {
+            name: s.name.text.clone(),
+            along,
+            stiffness: Expr::Number(0.0),
+            rest: Expr::Number(0.0),
+            cubic: Expr::Number(0.0),
+            span: s.name.span,
+        };
         for e in entries {
             let v = &e.values[0];
             match e.key.text.as_str() {
@@ -881,8 +1066,17 @@ impl Resolver<'_> {
         self.affine(&q.expr, of.span, "combination");
         let row = self.row_of(&q.expr);
         let rate = q.dimension.unwrap_or(Dimension::NONE) / Dimension::TIME;
-        let mut out =
-            Friction { name: s.name.text.clone(), of: q.expr, viscous: None, coulomb: None, width: None, stribeck: None, quadratic: None, asymmetric: None, span: s.name.span };
+        let mut out = Friction {
+            name: s.name.text.clone(),
+            of: q.expr,
+            viscous: None,
+            coulomb: None,
+            width: None,
+            stribeck: None,
+            quadratic: None,
+            asymmetric: None,
+            span: s.name.span,
+        };
         for e in entries {
             let v = &e.values[0];
             let option = |key: &str| e.options.iter().find(|(k, _)| k.text == key).and_then(|(_, v)| v.clone());
@@ -901,7 +1095,10 @@ impl Resolver<'_> {
                             let speed = self.expect(&speed, rate, "the Stribeck speed", Allowed::Parameters);
                             out.stribeck = Some((level, speed));
                         }
-                        None => self.diagnostics.push(Diagnostic::error("E0115", "Stribeck friction needs its speed", e.key.span, "here").help("write `stribeck F_s speed v_s;`")),
+                        None => self.diagnostics.push(
+                            Diagnostic::error("E0115", "Stribeck friction needs its speed", e.key.span, "here")
+                                .help("write `stribeck F_s speed v_s;`"),
+                        ),
                     }
                     if let Some(w) = option("width") {
                         out.width = Some(self.expect(&w, rate, "the width", Allowed::Parameters));
@@ -933,14 +1130,20 @@ impl Resolver<'_> {
             other => other,
         };
         if !matches!(symbol, Symbol::Coordinate(_) | Symbol::Rate(_) | Symbol::Input(_) | Symbol::Mixed(..)) {
-            self.diagnostics.push(Diagnostic::error("E0206", format!("`{}` cannot be part of a trim", name.text), name.span, "not a coordinate, rate or input"));
+            self.diagnostics.push(Diagnostic::error(
+                "E0206",
+                format!("`{}` cannot be part of a trim", name.text),
+                name.span,
+                "not a coordinate, rate or input",
+            ));
             return None;
         }
         Some((symbol, Unit::si(q.dimension.unwrap_or_default())))
     }
 
     fn trim(&mut self, s: &Statement, fixed: &[(Name, Option<Name>, Ast)], zero: &[Name], solve: &[(Name, Option<Name>)]) {
-        let mut out = Trim { name: s.name.text.clone(), fixed: Vec::new(), zero: self.coordinates(zero), solve: Vec::new(), span: s.name.span };
+        let mut out =
+            Trim { name: s.name.text.clone(), fixed: Vec::new(), zero: self.coordinates(zero), solve: Vec::new(), span: s.name.span };
         for (name, suffix, value) in fixed {
             if let Some((symbol, unit)) = self.operand(name, suffix.as_ref()) {
                 let value = self.expect(value, unit.dimension, &format!("`{}`", name.text), Allowed::Parameters);
@@ -950,20 +1153,36 @@ impl Resolver<'_> {
         for (name, suffix) in solve {
             if let Some((symbol, _)) = self.operand(name, suffix.as_ref()) {
                 if out.fixed.iter().any(|(s, _)| *s == symbol) {
-                    self.diagnostics.push(Diagnostic::error("E0311", format!("`{}` is both fixed and solved for", name.text), name.span, "solved for here").help("take it out of one of them"));
+                    self.diagnostics.push(
+                        Diagnostic::error("E0311", format!("`{}` is both fixed and solved for", name.text), name.span, "solved for here")
+                            .help("take it out of one of them"),
+                    );
                 }
                 out.solve.push(symbol);
             }
         }
         if out.zero.len() == zero.len() && out.solve.len() == solve.len() && out.zero.len() != out.solve.len() {
             let (e, u) = (out.zero.len(), out.solve.len());
-            let hint = if e > u { "solve for more coordinates, rates or inputs, or let an acceleration stay" } else { "name more coordinates under `zero`, or fix some unknowns" };
+            let hint = if e > u {
+                "solve for more coordinates, rates or inputs, or let an acceleration stay"
+            } else {
+                "name more coordinates under `zero`, or fix some unknowns"
+            };
             self.diagnostics.push(
-                Diagnostic::error("E0311", format!("the trim `{}` has {u} unknown{} and {e} equation{}", s.name.text, plural(u), plural(e)), s.name.span, "as many of one as of the other are needed").help(hint),
+                Diagnostic::error(
+                    "E0311",
+                    format!("the trim `{}` has {u} unknown{} and {e} equation{}", s.name.text, plural(u), plural(e)),
+                    s.name.span,
+                    "as many of one as of the other are needed",
+                )
+                .help(hint),
             );
         }
         if let Some(before) = self.rig.trims.iter().find(|t| t.name == out.name) {
-            self.diagnostics.push(Diagnostic::error("E0202", format!("the trim `{}` is declared twice", out.name), s.name.span, "again here").also(before.span, "first here"));
+            self.diagnostics.push(
+                Diagnostic::error("E0202", format!("the trim `{}` is declared twice", out.name), s.name.span, "again here")
+                    .also(before.span, "first here"),
+            );
         }
         self.rig.trims.push(out);
     }
@@ -974,7 +1193,8 @@ impl Resolver<'_> {
             Assume::Set(name, value) => {
                 let Some(parameter) = self.rig.parameters.iter().position(|p| p.name == name.text) else {
                     let names: Vec<&str> = self.rig.parameters.iter().map(|p| p.name.as_str()).collect();
-                    let mut d = Diagnostic::error("E0312", format!("there is no parameter `{}` to set", name.text), name.span, "unknown parameter");
+                    let mut d =
+                        Diagnostic::error("E0312", format!("there is no parameter `{}` to set", name.text), name.span, "unknown parameter");
                     if let Some(near) = nearest(&name.text, names) {
                         d = d.help(format!("did you mean `{near}`?"));
                     }
@@ -992,12 +1212,16 @@ impl Resolver<'_> {
             Assume::Diagonal(entries) => {
                 let free: Vec<usize> = (0..self.rig.coordinates.len()).filter(|&i| !self.rig.coordinates[i].prescribed).collect();
                 if entries.len() != free.len() {
-                    self.diagnostics.push(
-                        Diagnostic::error("E0312", format!("the mass matrix has {} diagonal entries, this has {}", free.len(), entries.len()), span, "one entry for each coordinate"),
-                    );
+                    self.diagnostics.push(Diagnostic::error(
+                        "E0312",
+                        format!("the mass matrix has {} diagonal entries, this has {}", free.len(), entries.len()),
+                        span,
+                        "one entry for each coordinate",
+                    ));
                     return;
                 }
-                let wanted: Vec<Dimension> = free.iter().map(|&i| self.row_unit[i] * Dimension::TIME.powi(2) / self.rig.coordinates[i].unit.dimension).collect();
+                let wanted: Vec<Dimension> =
+                    free.iter().map(|&i| self.row_unit[i] * Dimension::TIME.powi(2) / self.rig.coordinates[i].unit.dimension).collect();
                 let checked = entries.iter().zip(wanted).map(|(e, d)| self.expect(e, d, "this inertia", Allowed::Parameters)).collect();
                 AssumptionKind::InertiaDiagonal(checked)
             }
@@ -1013,7 +1237,8 @@ impl Resolver<'_> {
                                 Some(k) => bodies.push(k),
                                 None => {
                                     let names: Vec<&str> = self.rig.bodies.iter().map(|b| b.name.as_str()).collect();
-                                    let mut d = Diagnostic::error("E0312", format!("there is no body `{}`", name.text), name.span, "unknown body");
+                                    let mut d =
+                                        Diagnostic::error("E0312", format!("there is no body `{}`", name.text), name.span, "unknown body");
                                     if let Some(near) = nearest(&name.text, names) {
                                         d = d.help(format!("did you mean `{near}`?"));
                                     }
@@ -1035,8 +1260,14 @@ impl Resolver<'_> {
                             .chain(rig.functions.iter().map(|x| x.name.as_str()))
                             .collect();
                         if !names.contains(&name) {
-                            let near = nearest(name, names.into_iter().chain(["coriolis", "gravity", "friction", "inertia"])).map(str::to_owned);
-                            let mut d = Diagnostic::error("E0312", format!("this assumption names nothing: there is no `{name}`"), what.span, "unknown term");
+                            let near =
+                                nearest(name, names.into_iter().chain(["coriolis", "gravity", "friction", "inertia"])).map(str::to_owned);
+                            let mut d = Diagnostic::error(
+                                "E0312",
+                                format!("this assumption names nothing: there is no `{name}`"),
+                                what.span,
+                                "unknown term",
+                            );
                             d = match near {
                                 Some(near) => d.help(format!("did you mean `{near}`?")),
                                 None => d.help("assumptions name coriolis, gravity, friction, inertia[a, b], or a force, spring, damper or function of the rig"),

@@ -86,7 +86,9 @@ impl Lexer<'_> {
                     None => {
                         self.at = self.text.len();
                         let span = Span { file: self.file, start: start as u32, end: start as u32 + 2 };
-                        self.diagnostics.push(Diagnostic::error("E0103", "this comment is never closed", span, "opened here").help("close it with `*/`"));
+                        self.diagnostics.push(
+                            Diagnostic::error("E0103", "this comment is never closed", span, "opened here").help("close it with `*/`"),
+                        );
                     }
                 }
             } else if c.is_alphabetic() || c == '_' {
@@ -165,7 +167,9 @@ impl Lexer<'_> {
             self.at += 1;
         } else {
             let span = self.span(start);
-            self.diagnostics.push(Diagnostic::error("E0103", "this text is never closed", span, "opened here").help("close it with `\"` on the same line"));
+            self.diagnostics.push(
+                Diagnostic::error("E0103", "this text is never closed", span, "opened here").help("close it with `\"` on the same line"),
+            );
         }
         self.push(Kind::Text(text), start);
     }
@@ -184,7 +188,12 @@ pub fn from_macro(stream: proc_macro2::TokenStream, spans: &mut Vec<proc_macro2:
     tokens
 }
 
-fn flatten(stream: proc_macro2::TokenStream, tokens: &mut Vec<Token>, spans: &mut Vec<proc_macro2::Span>, diagnostics: &mut Vec<Diagnostic>) {
+fn flatten(
+    stream: proc_macro2::TokenStream,
+    tokens: &mut Vec<Token>,
+    spans: &mut Vec<proc_macro2::Span>,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
     use proc_macro2::{Delimiter, Spacing, TokenTree};
     let mut trees = stream.into_iter().peekable();
     while let Some(tree) = trees.next() {
@@ -221,7 +230,12 @@ fn flatten(stream: proc_macro2::TokenStream, tokens: &mut Vec<Token>, spans: &mu
                         push(Kind::Number(0.0, String::new()), literal.span());
                         let at = spans.len() as u32 - 1;
                         let span = Span { file: 0, start: at, end: at + 1 };
-                        diagnostics.push(Diagnostic::error("E0102", format!("`{}` is no number of this language", shorten(&text)), span, "this literal"));
+                        diagnostics.push(Diagnostic::error(
+                            "E0102",
+                            format!("`{}` is no number of this language", shorten(&text)),
+                            span,
+                            "this literal",
+                        ));
                     }
                 }
             }

@@ -158,7 +158,9 @@ impl Unit {
         if let Some((factor, dimension)) = prefixable(name) {
             return unit(factor, dimension);
         }
-        for (prefix, scale) in [("m", 1e-3), ("k", 1e3), ("u", 1e-6), ("µ", 1e-6), ("n", 1e-9), ("c", 1e-2), ("M", 1e6), ("d", 1e-1), ("G", 1e9), ("p", 1e-12)] {
+        for (prefix, scale) in
+            [("m", 1e-3), ("k", 1e3), ("u", 1e-6), ("µ", 1e-6), ("n", 1e-9), ("c", 1e-2), ("M", 1e6), ("d", 1e-1), ("G", 1e9), ("p", 1e-12)]
+        {
             if let Some((factor, dimension)) = name.strip_prefix(prefix).and_then(prefixable) {
                 return unit(scale * factor, dimension);
             }

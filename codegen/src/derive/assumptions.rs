@@ -156,7 +156,9 @@ fn in_words(rig: &Rig, kind: &AssumptionKind) -> String {
         AssumptionKind::Set { parameter, value } => format!("{} = {value}", rig.parameters[*parameter].name),
         AssumptionKind::NeglectCoriolis { rows } => format!("no velocity products{}", within(rows)),
         AssumptionKind::NeglectGravity { bodies, rows } => {
-            let of = bodies.as_ref().map_or(String::new(), |b| format!(" of {}", b.iter().map(|&k| rig.bodies[k].name.as_str()).collect::<Vec<_>>().join(", ")));
+            let of = bodies.as_ref().map_or(String::new(), |b| {
+                format!(" of {}", b.iter().map(|&k| rig.bodies[k].name.as_str()).collect::<Vec<_>>().join(", "))
+            });
             format!("no gravity{of}{}", within(rows))
         }
         AssumptionKind::NeglectFriction { rows } => format!("no friction{}", within(rows)),

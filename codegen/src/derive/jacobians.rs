@@ -10,7 +10,15 @@ use crate::mechanics::solve::{Factor, factor};
 use model_dsl::rig::Rig;
 
 /// Completes the equations from the parts.
-pub fn complete(rig: &Rig, lowering: &Lowering, mut graph: Graph, layout: Layout, parts: Parts, options: Options, cross_check: CrossCheck) -> Equations {
+pub fn complete(
+    rig: &Rig,
+    lowering: &Lowering,
+    mut graph: Graph,
+    layout: Layout,
+    parts: Parts,
+    options: Options,
+    cross_check: CrossCheck,
+) -> Equations {
     let g = &mut graph;
     let n = rig.coordinates.len();
     let free: Vec<usize> = (0..n).filter(|&i| !rig.coordinates[i].prescribed).collect();
@@ -39,7 +47,12 @@ pub fn complete(rig: &Rig, lowering: &Lowering, mut graph: Graph, layout: Layout
     }
 
     // inverse dynamics over the symbols of the accelerations
-    let wanted: Vec<Id> = rig.coordinates.iter().enumerate().map(|(i, c)| g.symbol(&format!("{}.ddot", c.name), crate::expr::SymbolKind::Acceleration(i))).collect();
+    let wanted: Vec<Id> = rig
+        .coordinates
+        .iter()
+        .enumerate()
+        .map(|(i, c)| g.symbol(&format!("{}.ddot", c.name), crate::expr::SymbolKind::Acceleration(i)))
+        .collect();
     let inverse_dynamics = residual(rig, lowering, g, &parts, &wanted);
 
     let lag_rates = lowering.lag_rates(rig, g);
@@ -51,7 +64,14 @@ pub fn complete(rig: &Rig, lowering: &Lowering, mut graph: Graph, layout: Layout
     let mut linear_without_friction_slope = None;
     let (mut parameter_jacobian, mut output_jacobian, mut output_parameter_jacobian) = (Vec::new(), Vec::new(), Vec::new());
     if options.jacobians {
-        let context = Implicit { free: &free, factored: &factored, inverse_dynamics: &inverse_dynamics, acceleration: &acceleration, lag_rates: &lag_rates, lowering };
+        let context = Implicit {
+            free: &free,
+            factored: &factored,
+            inverse_dynamics: &inverse_dynamics,
+            acceleration: &acceleration,
+            lag_rates: &lag_rates,
+            lowering,
+        };
         linear = Linear { a: context.columns(g, &x, Derivative::Exact), b: context.columns(g, &lowering.u, Derivative::Exact) };
         let regularized = g.reachable(&parts.dissipation).into_iter().any(|id| matches!(g.node(id), Node::Call(F1::SmoothSign, _)));
         if regularized {
