@@ -17,6 +17,7 @@ pub struct InProcess {
     outputs: OnceLock<Program>,
     output_jacobian: OnceLock<Program>,
     paths: OnceLock<Program>,
+    pivots: OnceLock<Program>,
 }
 
 struct Labels {
@@ -76,6 +77,7 @@ impl InProcess {
             outputs: OnceLock::new(),
             output_jacobian: OnceLock::new(),
             paths: OnceLock::new(),
+            pivots: OnceLock::new(),
         }
     }
 
@@ -174,6 +176,15 @@ impl Model for InProcess {
             self.program(&roots)
         });
         self.run(program, Arguments { t, x, u, p, a: &[] }, [dfdp])
+    }
+
+    fn pivots(&self, t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let e = &self.equations;
+        let mut values = vec![0.0; e.pivots.len()];
+        self.pivots.get_or_init(|| self.program(&e.pivots)).run(Arguments { t, x, u: &[], p, a: &[] }, &mut values);
+        d.fill(f64::INFINITY);
+        e.free.iter().zip(values).for_each(|(&k, value)| d[k] = value);
+        true
     }
 
     fn outputs(&self, t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
