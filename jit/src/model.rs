@@ -19,6 +19,7 @@ pub struct InProcess {
     outputs: OnceLock<Program>,
     output_jacobian: OnceLock<Program>,
     paths: OnceLock<Program>,
+    pivots: OnceLock<Program>,
 }
 
 struct Labels {
@@ -85,6 +86,7 @@ impl InProcess {
             outputs: OnceLock::new(),
             output_jacobian: OnceLock::new(),
             paths: OnceLock::new(),
+            pivots: OnceLock::new(),
         }
     }
 
@@ -173,6 +175,15 @@ impl Model for InProcess {
         let e = &self.equations;
         let program = self.parameters.get_or_init(|| self.program([&e.parameter_jacobian.concat(), &[], &[]], &e.pivots));
         program.run(Arguments { t, x, u, p }, [dfdp, &mut [], &mut []]).map_err(|k| self.singular(k))
+    }
+
+    fn pivots(&self, t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let e = &self.equations;
+        let mut values = vec![0.0; e.pivots.len()];
+        self.pivots.get_or_init(|| self.program(&e.pivots)).run(Arguments { t, x, u: &[], p, a: &[] }, &mut values);
+        d.fill(f64::INFINITY);
+        e.free.iter().zip(values).for_each(|(&k, value)| d[k] = value);
+        true
     }
 
     fn outputs(&self, t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -9,12 +9,13 @@
 mod error;
 mod integrate;
 mod output_path;
-
+pub mod sensitivity;
 mod signals;
 mod simulate;
 mod status;
 
 pub use error::SimError;
+pub use integrate::Method;
 pub use output_path::encoder;
 pub use signals::{Hold, Signal, Signals};
 pub use simulate::{Options, Trajectory, simulate};

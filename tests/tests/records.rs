@@ -4,7 +4,8 @@ use codegen::{Lumps, Options, derive};
 use cross_checks::{record_folder, rig_of, root};
 use ident::compare::{CompareOptions, Comparison, compare};
 use jit::InProcess;
-use runtime::{Model, Names};
+use runtime::Model;
+use sim::Status;
 
 /// The folder of records, or a line that says what was skipped.
 fn folder_for(name: &str) -> Option<std::path::PathBuf> {
@@ -62,4 +63,21 @@ fn values_before_identification_fit_as_badly_as_the_paper_says() {
     for (found, wanted) in found.into_iter().zip([63.0, -446.0, -7.0]) {
         assert!((found - wanted).abs() <= 1.0, "{found} instead of {wanted}");
     }
+}
+
+#[test]
+fn single_rigid_body_model_dies_at_a_right_angle() {
+    let Some(folder) = folder_for("googol_open_loop_steps, single rigid body") else { return };
+    let c = steps(&model("googol_srb", Options::default()), &[], &folder);
+    let last = c.trajectory.state(c.trajectory.t.len() - 1);
+    println!("googol_srb: {}; eps = {:.4} rad at {:.3} s", c.status, last[1], c.trajectory.t[c.trajectory.t.len() - 1]);
+    let Status::Singular { coordinate, t } = &c.status else { panic!("{}", c.status) };
+    // arm upright: yaw and pitch turn about one axis
+    assert_eq!(coordinate, "theta");
+    assert!((1.4..1.5).contains(t), "{t}");
+    assert_eq!(c.valid_until, *t);
+    // the last sample before it is at most 5 ms earlier
+    let before = last[1] + last[4] * (t - c.trajectory.t[c.trajectory.t.len() - 1]);
+    assert!((before.abs() - std::f64::consts::FRAC_PI_2).abs() < 1e-3, "{before}");
+    assert!(c.signals.iter().all(|s| s.simulated.len() == c.trajectory.t.len() && s.fit_percent.is_some()));
 }
