@@ -5,7 +5,7 @@
 use codegen::expr::{Id, SymbolKind};
 use codegen::{Equations, Options, derive};
 use cross_checks::close::by_rows;
-use cross_checks::{record_folder, rig_of, root};
+use cross_checks::{record_folder, rig_of, rigs_in, root};
 use serde_json::Value;
 
 /// Both sides round at 1e-16; the tools' own tensors carry a few more digits of rounding.
@@ -52,7 +52,8 @@ fn compare(name: &str, torques: &[&str]) {
     assert_eq!(torques.len(), n);
     let signal = |input: &str| e.layout.u.iter().position(|u| u.name == input).unwrap_or_else(|| panic!("{name}: no input {input}"));
     let places: Vec<usize> = torques.iter().map(|t| signal(t)).collect();
-    let block = |rows: &[Vec<Id>], columns: &[usize]| rows[n..2 * n].iter().flat_map(|r| columns.iter().map(|&j| r[j])).collect::<Vec<Id>>();
+    let block =
+        |rows: &[Vec<Id>], columns: &[usize]| rows[n..2 * n].iter().flat_map(|r| columns.iter().map(|&j| r[j])).collect::<Vec<Id>>();
     let (by_q, by_v): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (n..2 * n).collect());
     let column = |input: &str| e.input_map.iter().map(|r| r[signal(input)]).collect::<Vec<Id>>();
 
@@ -122,6 +123,16 @@ fn compare(name: &str, torques: &[&str]) {
     }
     println!("{name:28} {} samples, worst {worst:.1e} in {compared:?}", samples.len());
     println!("record test: ran golden {name}");
+}
+
+/// The rigs are right in themselves, whether or not the numbers are at hand.
+#[test]
+fn every_rig_derives() {
+    let rigs = rigs_in("tests/rigs/golden");
+    assert_eq!(rigs.len(), 12);
+    for path in rigs {
+        derive(&rig_of(&path), Options::default()).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    }
 }
 
 #[test]
