@@ -89,8 +89,8 @@ impl Diagnostic {
                     continue;
                 }
                 let kind = if k == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
-                let end = (span.end as usize).min(text.len());
-                let start = (span.start as usize).min(end);
+                let start = text.floor_char_boundary(span.start as usize);
+                let end = text.ceil_char_boundary(span.end as usize).max(start);
                 snippet = snippet.annotation(kind.span(start..end).label(label.as_str()));
             }
             group = group.element(snippet);
@@ -162,17 +162,18 @@ pub const CATALOGUE: &[(&str, &str)] = &[
     ("E0303", "an inertia tensor that no mass distribution has"),
     ("E0304", "a coordinate that moves no inertia"),
     ("E0305", "a coordinate that nothing uses"),
-    ("E0306", "a mass that is negative"),
+    ("E0306", "a mass or kinetic energy that is negative"),
     ("E0307", "equations written directly that do not fit the rig"),
     ("E0308", "a kinetic function that is not quadratic in the rates"),
     ("E0309", "a mix of inputs that cannot be undone"),
-    ("E0310", "bounds, limits or priors that make no sense"),
+    ("E0310", "bounds, limits, priors, times or widths that make no sense"),
     ("E0311", "a trim with more unknowns than equations, or fewer"),
     ("E0312", "an assumption that does not fit the rig"),
-    ("E0313", "an axis of length zero"),
+    ("E0313", "an axis of length zero, or a direction that is not of length one"),
     ("E0314", "a parameter's value cannot be computed"),
     ("W0401", "a parameter that nothing uses"),
     ("W0402", "an input that nothing uses"),
     ("W0403", "a frame that carries nothing"),
+    ("W0404", "an angle without unit of more than a turn"),
     ("N0501", "a parameter that only an assumption made unused"),
 ];

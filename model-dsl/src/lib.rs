@@ -8,6 +8,7 @@
 mod ast;
 mod diagnostic;
 mod extend;
+mod mechanics;
 mod parser;
 mod quantity;
 mod resolve;
@@ -20,6 +21,9 @@ pub use diagnostic::{CATALOGUE, Diagnostic, Severity, nearest};
 pub use source::{FileLoader, Loader, NoFiles, Place, Sources};
 
 use rig::Rig;
+
+/// Deepest chain of files: links in a file system can make circles that names do not show.
+const DEEPEST: usize = 64;
 
 /// Choices of a check.
 #[derive(Clone, Debug, Default)]
@@ -85,6 +89,10 @@ fn read(
     if sources.files.iter().any(|(n, _)| n == name) {
         return;
     }
+    if chain.len() >= DEEPEST {
+        diagnostics.push(Diagnostic::error("E0105", format!("files use each other more than {DEEPEST} deep"), place, "used here"));
+        return;
+    }
     let bytes = match loader.load(name) {
         Ok(bytes) => bytes,
         Err(why) => {
@@ -99,7 +107,8 @@ fn read(
             let at = e.utf8_error().valid_up_to();
             let text = String::from_utf8_lossy(e.as_bytes()).into_owned();
             sources.files.push((name.to_owned(), text));
-            let span = rig::Span { file, start: at as u32, end: at as u32 + 1 };
+            // the first broken byte became one replacement character
+            let span = rig::Span { file, start: at as u32, end: (at + char::REPLACEMENT_CHARACTER.len_utf8()) as u32 };
             diagnostics.push(
                 Diagnostic::error("E0104", format!("`{name}` is not UTF-8 text"), span, "from here on").help("save the file as UTF-8"),
             );
@@ -131,7 +140,8 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     match wanted {
         Some(item) => {
             let statements = extend::flatten(&files, item, &mut diagnostics);
-            let (resolved, _used) = resolve::resolve(&item.name, &item.doc, &statements, &mut diagnostics);
+            let (resolved, used) = resolve::resolve(&item.name, &item.doc, &statements, &sources, &mut diagnostics);
+            mechanics::check(&resolved, &statements, &used, &mut diagnostics);
             rig = Some(resolved);
         }
         None if diagnostics.is_empty() => {
@@ -166,9 +176,10 @@ pub fn parse_value(text: &str, expected: &units::Unit) -> Result<f64, String> {
     let tokens = token::lex(0, text, &mut diagnostics);
     let expr = parser::parse_expression(&tokens, &mut diagnostics);
     let scope = quantity::Scope::default();
+    let sources = Sources { files: vec![("value".to_owned(), text.to_owned())] };
     let mut used = std::collections::BTreeSet::new();
     let checked = expr.as_ref().and_then(|e| {
-        quantity::Checker { scope: &scope, diagnostics: &mut diagnostics, used: &mut used }.expect(
+        quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.expect(
             e,
             expected.dimension,
             "this",

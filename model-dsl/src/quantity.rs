@@ -3,8 +3,12 @@
 use crate::ast::{Expr as Ast, ExprKind, Name, UnitExpr};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::rig::{BinaryOp, Expr, Function, Span, Symbol};
+use crate::source::Sources;
 use crate::units::{Dimension, Unit};
 use std::collections::HashMap;
+
+/// After so many findings, suggestions are left out: they cost time, and nobody reads that far.
+const MANY: usize = 100;
 
 /// What a name means.
 #[derive(Clone, Debug)]
@@ -17,6 +21,8 @@ pub struct Meaning {
     pub span: Span,
     /// In words: `a parameter`.
     pub what: &'static str,
+    /// First words of its comment.
+    pub doc: String,
 }
 
 /// Names that expressions may use.
@@ -26,6 +32,8 @@ pub struct Scope {
     pub names: HashMap<String, Meaning>,
     /// In order of declaration, for suggestions.
     pub order: Vec<String>,
+    /// Names of statements that could not be read: uses of them are no second error.
+    pub lost: std::collections::BTreeSet<String>,
 }
 
 /// A checked expression and its dimension; `None` for a zero or a number whose dimension the place decides.
@@ -91,6 +99,8 @@ impl Allowed {
 pub struct Checker<'a> {
     /// Names.
     pub scope: &'a Scope,
+    /// Texts, for lines in messages.
+    pub sources: &'a Sources,
     /// Findings.
     pub diagnostics: &'a mut Vec<Diagnostic>,
     /// Symbols that were used.
@@ -106,11 +116,122 @@ impl Checker<'_> {
             None => {}
             Some(found) if found == wanted => {}
             Some(found) => {
-                self.diagnostics.push(mismatch(ast.span, wanted, found, what));
+                let d = self.mismatch(ast, wanted, found, what);
+                self.diagnostics.push(d);
                 return None;
             }
         }
         Some(quantity.expr)
+    }
+
+    /// Another dimension was expected: says what each factor is, and which parameter would fit.
+    fn mismatch(&mut self, ast: &Ast, wanted: Dimension, found: Dimension, what: &str) -> Diagnostic {
+        let needs = match wanted {
+            Dimension::FORCE => "newtons".to_owned(),
+            Dimension::TORQUE => "newton metres".to_owned(),
+            Dimension::LENGTH => "metres".to_owned(),
+            Dimension::MASS => "kilograms".to_owned(),
+            Dimension::TIME => "seconds".to_owned(),
+            Dimension::POWER => "watts".to_owned(),
+            Dimension::NONE => "a plain number or an angle".to_owned(),
+            other => in_words(other),
+        };
+        let factors = self.factors(ast);
+        let label = match &factors {
+            Some(list) if list.len() > 1 => {
+                format!("{} is {}", list.iter().map(Factor::words).collect::<Vec<_>>().join(""), in_words(found))
+            }
+            _ => in_words(found),
+        };
+        if found.equal_but_for_cycles(wanted) {
+            return hertz(Diagnostic::error("E0234", format!("{what} needs {needs}, this counts cycles"), ast.span, label));
+        }
+        let mut d = Diagnostic::error("E0231", format!("{what} needs {needs}, this is {}", in_words(found)), ast.span, label);
+        if self.diagnostics.len() > MANY {
+            return d;
+        }
+        for help in self.fitting(&factors.unwrap_or_default(), wanted, found) {
+            d = d.help(help);
+        }
+        d
+    }
+
+    /// The factors of a product that have a dimension; `None` where it is no product of names and numbers.
+    fn factors(&mut self, ast: &Ast) -> Option<Vec<Factor>> {
+        let mut list = Vec::new();
+        let mut open = vec![(ast, false)];
+        while let Some((e, below)) = open.pop() {
+            match &e.kind {
+                ExprKind::Binary(BinaryOp::Mul, a, b) => open.extend([(b.as_ref(), below), (a.as_ref(), below)]),
+                ExprKind::Binary(BinaryOp::Div, a, b) => open.extend([(b.as_ref(), !below), (a.as_ref(), below)]),
+                ExprKind::Neg(a) => open.push((a, below)),
+                _ => {
+                    let (mut quiet, mut used) = (Vec::new(), std::collections::BTreeSet::new());
+                    let q = Checker { scope: self.scope, sources: self.sources, diagnostics: &mut quiet, used: &mut used }
+                        .check(e, Allowed::Everything)?;
+                    let dimension = q.dimension?;
+                    let (name, parameter) = match &e.kind {
+                        ExprKind::Name(n, suffix) => {
+                            let dotted = suffix.as_ref().map_or_else(|| n.text.clone(), |s| format!("{}.{}", n.text, s.text));
+                            (dotted, matches!(q.expr, Expr::Symbol(Symbol::Parameter(_) | Symbol::Definition(_))))
+                        }
+                        ExprKind::Number(x, _) => (format!("{x}"), false),
+                        _ if dimension == Dimension::NONE => continue,
+                        _ => return None,
+                    };
+                    if dimension != Dimension::NONE {
+                        let first = list.is_empty();
+                        list.push(Factor { name, dimension, below, parameter, first });
+                    }
+                }
+            }
+            if list.len() > 6 {
+                return None;
+            }
+        }
+        Some(list)
+    }
+
+    /// Parameters of the rig that would mend a product: in place of one of its factors, or times all of it.
+    fn fitting(&self, factors: &[Factor], wanted: Dimension, found: Dimension) -> Vec<String> {
+        let in_use = |name: &str| factors.iter().any(|f| f.name == name);
+        let find = |dimension: Dimension| {
+            self.scope.order.iter().find_map(|n| {
+                let m = self.scope.names.get(n)?;
+                let fits = m.dimension == Some(dimension) && matches!(m.symbol, Symbol::Parameter(_) | Symbol::Definition(_)) && !in_use(n);
+                fits.then_some((n, m))
+            })
+        };
+        let said = |name: &str, m: &Meaning, dimension: Dimension| {
+            let line = self.sources.place(m.span).map_or_else(String::new, |p| format!(", declared on line {}", p.line));
+            (format!("`{name}` [{dimension}]"), line, m.doc.clone())
+        };
+        let mut helps = Vec::new();
+        for f in factors.iter().filter(|f| f.parameter) {
+            let dimension = if f.below { f.dimension * found / wanted } else { f.dimension * wanted / found };
+            if dimension == Dimension::NONE {
+                continue;
+            }
+            if let Some((name, m)) = find(dimension) {
+                let (text, line, doc) = said(name, m, dimension);
+                helps.push(if doc.is_empty() {
+                    format!("{text}{line}, would fit in place of `{}`", f.name)
+                } else {
+                    format!("the {doc} of this rig is {text}{line}")
+                });
+            }
+        }
+        if factors.len() == 1 && !factors[0].parameter && found != Dimension::NONE {
+            let dimension = wanted / found;
+            if dimension != Dimension::NONE
+                && let Some((name, m)) = find(dimension)
+            {
+                let (text, line, _) = said(name, m, dimension);
+                helps.push(format!("times {text}{line}, it would be {}", in_words(wanted)));
+            }
+        }
+        helps.truncate(2);
+        helps
     }
 
     /// An expression and its dimension.
@@ -156,8 +277,12 @@ impl Checker<'_> {
             });
         }
         let Some(meaning) = self.scope.names.get(&name.text) else {
+            if self.scope.lost.contains(&name.text) {
+                return None;
+            }
             let mut d = Diagnostic::error("E0201", format!("there is no `{}` in this rig", name.text), name.span, "unknown name");
-            d = match nearest(&name.text, self.scope.order.iter().map(String::as_str)) {
+            let near = if self.diagnostics.len() > MANY { None } else { nearest(&name.text, self.scope.order.iter().map(String::as_str)) };
+            d = match near {
                 _ if Unit::named(&name.text).is_some() => d.help("a compound unit after a number goes in brackets: `0.1 [m/s]`"),
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help(format!("declare it, for example `param {}: UNIT = VALUE;`", name.text)),
@@ -241,6 +366,13 @@ impl Checker<'_> {
                     .also(a.span, in_words(x))
                     .also(b.span, in_words(y));
                     d = if x.equal_but_for_cycles(y) { hertz(d) } else { d };
+                    for (side, other) in [(a, y), (b, x)] {
+                        if is_bare(side)
+                            && let ExprKind::Number(n, None) = side.kind
+                        {
+                            d = d.help(format!("give the number a unit, as in `{n} {}`", unit_text(other)));
+                        }
+                    }
                     self.diagnostics.push(d);
                     return None;
                 }
@@ -377,7 +509,12 @@ impl Checker<'_> {
                         in_words(d),
                     );
                     if d == Dimension::NONE / Dimension::TIME {
-                        diagnostic = diagnostic.help("a rate times time is an angle");
+                        diagnostic = diagnostic.help("a rate times time is an angle: multiply by `t`");
+                    } else if d == Dimension::TIME {
+                        diagnostic = diagnostic.help("multiply by a rate, as in `2 [rad/s] * t`");
+                    } else if d.equal_but_for_cycles(Dimension::NONE) {
+                        diagnostic.code = "E0234";
+                        diagnostic = hertz(diagnostic);
                     }
                     self.diagnostics.push(diagnostic);
                     return None;
@@ -399,6 +536,12 @@ impl Checker<'_> {
             let Some(found) = Unit::named(&name.text) else {
                 let known = ["kg", "m", "s", "N", "rad", "deg", "V", "A", "W", "J", "Hz", "mm", "ms", "rpm", "ohm", "turn", "inch", "min"];
                 let mut d = Diagnostic::error("E0203", format!("there is no unit `{}`", name.text), name.span, "unknown unit");
+                if self.scope.names.contains_key(&name.text) && name.span.start < unit.span.end {
+                    self.diagnostics.push(
+                        d.help(format!("`{}` is a name of this rig: a product is written with `*`, as in `2 * {}`", name.text, name.text)),
+                    );
+                    return None;
+                }
                 if let Some(near) = nearest(&name.text, known) {
                     d = d.help(format!("did you mean `{near}`?"));
                 }
@@ -435,30 +578,36 @@ pub const FUNCTIONS: [(&str, Function, usize); 19] = [
     ("dead_zone", Function::DeadZone, 2),
 ];
 
+/// A factor of a product, for messages.
+struct Factor {
+    name: String,
+    dimension: Dimension,
+    below: bool,
+    parameter: bool,
+    first: bool,
+}
+
+impl Factor {
+    fn words(&self) -> String {
+        let joint = match (self.first, self.below) {
+            (true, false) => "",
+            (true, true) => "1 over ",
+            (false, false) => " times ",
+            (false, true) => " over ",
+        };
+        format!("{joint}{} [{}]", self.name, self.dimension)
+    }
+}
+
+/// A unit to write, in a message.
+fn unit_text(d: Dimension) -> String {
+    let text = d.to_string();
+    if text.contains([' ', '/', '^']) { format!("[{}]", text.replace(' ', "*")) } else { text }
+}
+
 /// A dimension in a sentence.
 pub fn in_words(d: Dimension) -> String {
     d.to_string()
-}
-
-fn mismatch(span: Span, wanted: Dimension, found: Dimension, what: &str) -> Diagnostic {
-    let needs = match wanted {
-        Dimension::FORCE => "newtons".to_owned(),
-        Dimension::TORQUE => "newton metres".to_owned(),
-        Dimension::LENGTH => "metres".to_owned(),
-        Dimension::MASS => "kilograms".to_owned(),
-        Dimension::TIME => "seconds".to_owned(),
-        other => in_words(other),
-    };
-    let d = if found.equal_but_for_cycles(wanted) {
-        hertz(Diagnostic::error("E0234", format!("{what} needs {needs}, this counts cycles"), span, in_words(found)))
-    } else {
-        Diagnostic::error("E0231", format!("{what} needs {needs}, this is {}", in_words(found)), span, in_words(found))
-    };
-    if found == wanted * Dimension::LENGTH && wanted == Dimension::FORCE {
-        d.help("for a torque write `torque NAME on FRAME: (..);`")
-    } else {
-        d
-    }
 }
 
 fn hertz(d: Diagnostic) -> Diagnostic {

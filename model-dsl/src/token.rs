@@ -27,11 +27,13 @@ pub struct Token {
     pub kind: Kind,
     /// Where it is.
     pub span: Span,
+    /// First on its line.
+    pub newline: bool,
 }
 
 /// Lexes text. Errors are reported, and lexing goes on.
 pub fn lex(file: u32, text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Token> {
-    let mut lexer = Lexer { file, text, at: 0, tokens: Vec::new(), diagnostics };
+    let mut lexer = Lexer { file, text, at: 0, tokens: Vec::new(), newline: true, diagnostics };
     lexer.run();
     lexer.tokens
 }
@@ -41,6 +43,7 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     tokens: Vec<Token>,
+    newline: bool,
     diagnostics: &'a mut Vec<Diagnostic>,
 }
 
@@ -59,7 +62,9 @@ impl Lexer<'_> {
 
     fn push(&mut self, kind: Kind, start: usize) {
         let span = self.span(start);
-        self.tokens.push(Token { kind, span });
+        // documentation at the end of a line does not hide the break behind it
+        let newline = std::mem::replace(&mut self.newline, false);
+        self.tokens.push(Token { kind, span, newline });
     }
 
     fn take_while(&mut self, accept: impl Fn(char) -> bool) -> &str {
@@ -77,6 +82,7 @@ impl Lexer<'_> {
         while let Some(c) = self.peek() {
             let start = self.at;
             if c.is_whitespace() || c == '\u{feff}' {
+                self.newline |= c == '\n';
                 self.at += c.len_utf8();
             } else if self.rest().starts_with("//") {
                 self.comment();
@@ -100,7 +106,9 @@ impl Lexer<'_> {
                 self.string();
             } else if c.is_ascii_punctuation() {
                 self.at += 1;
-                let joint = self.peek().is_some_and(|n| n.is_ascii_punctuation());
+                // by Rust's rule: touches another operator, not a bracket, a quote or a comment
+                let comment = self.rest().starts_with("//") || self.rest().starts_with("/*");
+                let joint = !comment && self.peek().is_some_and(|n| "=<>!~+-*/%^&|@.,;:#$?'".contains(n));
                 self.push(Kind::Punct(c, joint), start);
             } else {
                 self.at += c.len_utf8();
@@ -112,7 +120,7 @@ impl Lexer<'_> {
             }
         }
         let end = self.text.len();
-        self.tokens.push(Token { kind: Kind::End, span: Span { file: self.file, start: end as u32, end: end as u32 } });
+        self.tokens.push(Token { kind: Kind::End, span: Span { file: self.file, start: end as u32, end: end as u32 }, newline: true });
     }
 
     fn comment(&mut self) {
@@ -177,94 +185,4 @@ impl Lexer<'_> {
 
 fn shorten(digits: &str) -> String {
     if digits.chars().count() > 24 { format!("{}..", digits.chars().take(20).collect::<String>()) } else { digits.to_owned() }
-}
-
-/// Tokens of a macro; spans number the tokens: token k of the flattened stream is bytes k..k+1 of file 0.
-pub fn from_macro(stream: proc_macro2::TokenStream, spans: &mut Vec<proc_macro2::Span>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Token> {
-    let mut tokens = Vec::new();
-    flatten(stream, &mut tokens, spans, diagnostics);
-    let end = spans.len() as u32;
-    tokens.push(Token { kind: Kind::End, span: Span { file: 0, start: end, end } });
-    tokens
-}
-
-fn flatten(
-    stream: proc_macro2::TokenStream,
-    tokens: &mut Vec<Token>,
-    spans: &mut Vec<proc_macro2::Span>,
-    diagnostics: &mut Vec<Diagnostic>,
-) {
-    use proc_macro2::{Delimiter, Spacing, TokenTree};
-    let mut trees = stream.into_iter().peekable();
-    while let Some(tree) = trees.next() {
-        let mut push = |kind: Kind, span: proc_macro2::Span| {
-            let at = spans.len() as u32;
-            spans.push(span);
-            tokens.push(Token { kind, span: Span { file: 0, start: at, end: at + 1 } });
-        };
-        match tree {
-            TokenTree::Ident(ident) => {
-                let text = ident.to_string();
-                push(Kind::Ident(text.strip_prefix("r#").unwrap_or(&text).to_owned()), ident.span());
-            }
-            TokenTree::Punct(punct) => {
-                // `/// text` reaches a macro as `#[doc = "text"]`
-                if punct.as_char() == '#'
-                    && let Some(TokenTree::Group(group)) = trees.peek()
-                    && let Some(text) = doc_text(&group.stream())
-                {
-                    let span = group.span();
-                    trees.next();
-                    push(Kind::Doc(text, false), span);
-                    continue;
-                }
-                push(Kind::Punct(punct.as_char(), punct.spacing() == Spacing::Joint), punct.span());
-            }
-            TokenTree::Literal(literal) => {
-                let text = literal.to_string();
-                let mut found = Vec::new();
-                let inner = lex(0, &text, &mut found);
-                match inner.first().map(|t| &t.kind) {
-                    Some(kind @ (Kind::Number(..) | Kind::Text(_))) if found.is_empty() => push(kind.clone(), literal.span()),
-                    _ => {
-                        push(Kind::Number(0.0, String::new()), literal.span());
-                        let at = spans.len() as u32 - 1;
-                        let span = Span { file: 0, start: at, end: at + 1 };
-                        diagnostics.push(Diagnostic::error(
-                            "E0102",
-                            format!("`{}` is no number of this language", shorten(&text)),
-                            span,
-                            "this literal",
-                        ));
-                    }
-                }
-            }
-            TokenTree::Group(group) => {
-                let (open, close) = match group.delimiter() {
-                    Delimiter::Parenthesis => ('(', ')'),
-                    Delimiter::Brace => ('{', '}'),
-                    Delimiter::Bracket => ('[', ']'),
-                    Delimiter::None => {
-                        flatten(group.stream(), tokens, spans, diagnostics);
-                        continue;
-                    }
-                };
-                push(Kind::Punct(open, false), group.span_open());
-                flatten(group.stream(), tokens, spans, diagnostics);
-                let at = spans.len() as u32;
-                spans.push(group.span_close());
-                tokens.push(Token { kind: Kind::Punct(close, false), span: Span { file: 0, start: at, end: at + 1 } });
-            }
-        }
-    }
-}
-
-fn doc_text(stream: &proc_macro2::TokenStream) -> Option<String> {
-    let mut trees = stream.clone().into_iter();
-    let (first, _, third) = (trees.next()?, trees.next()?, trees.next()?);
-    if first.to_string() != "doc" {
-        return None;
-    }
-    let text = third.to_string();
-    Some(text.trim_matches('"').trim().to_owned())
 }

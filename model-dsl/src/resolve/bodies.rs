@@ -1,6 +1,7 @@
 //! Bodies.
 
 use super::Resolver;
+use super::terms::hole;
 use crate::ast::{BodyEntry, Name, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::quantity::Allowed;
@@ -10,7 +11,8 @@ use crate::units::Dimension;
 impl Resolver<'_> {
     pub(super) fn body(&mut self, s: &Statement, frame: &Name, entries: &[BodyEntry]) {
         let zero = || Expr::Number(0.0);
-        let frame = self.frame(frame);
+        let place = self.frame(frame);
+        let frame = place.unwrap_or(FrameRef::Ground);
         let mut body = Body {
             name: s.name.text.clone(),
             doc: s.doc.clone(),
@@ -43,26 +45,23 @@ impl Resolver<'_> {
                 }
             };
             if seen.contains(&key) {
-                self.diagnostics.push(Diagnostic::error(
-                    "E0115",
-                    format!("the body `{}` has `{key}` twice", body.name),
-                    s.name.span,
-                    "this body",
-                ));
+                let d = Diagnostic::error("E0115", format!("the body `{}` has `{key}` twice", body.name), s.name.span, "this body");
+                self.diagnostics.push(d.help("one `mass`, one `at`, one `inertia`; two bodies may stand on one frame"));
             }
             seen.push(key);
         }
         if !seen.contains(&"mass") && !seen.contains(&"inertia") {
-            self.diagnostics.push(
-                Diagnostic::error("E0115", format!("the body `{}` has no mass", body.name), s.name.span, "this body")
-                    .help("write `mass m;` in it"),
-            );
+            body.mass = hole();
+            let d = Diagnostic::error("E0115", format!("the body `{}` has no mass", body.name), s.name.span, "this body");
+            self.diagnostics.push(d.help("write `mass m;` in its block"));
+        }
+        if place.is_none() {
+            // nobody knows what it moves with
+            body.mass = hole();
         }
         if let Some(before) = self.rig.bodies.iter().find(|b| b.name == body.name) {
-            self.diagnostics.push(
-                Diagnostic::error("E0202", format!("the body `{}` is declared twice", body.name), s.name.span, "again here")
-                    .also(before.span, "first here"),
-            );
+            let d = Diagnostic::error("E0202", format!("the body `{}` is declared twice", body.name), s.name.span, "again here");
+            self.diagnostics.push(d.also(before.span, "first here").help("rename one of them"));
         }
         self.rig.bodies.push(body);
     }

@@ -1,105 +1,89 @@
 //! Frames: chains of rotations and translations, parents before children.
 
+use super::RESERVED;
 use super::Resolver;
-use super::terms::degree;
+use super::order::Order;
+use super::terms::{degree, hole};
 use crate::ast::{self, AxisExpr, Kind, Name, Statement};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::Diagnostic;
 use crate::quantity::Allowed;
 use crate::rig::*;
 use crate::units::{Dimension, Unit};
+use std::collections::{BTreeSet, HashMap};
 
 impl Resolver<'_> {
     pub(super) fn frames(&mut self, statements: &[Statement]) {
         let list: Vec<(&Statement, &Name, &Vec<ast::Step>)> = statements
             .iter()
-            .filter_map(|s| match &s.kind {
-                Kind::Frame(parent, steps) => Some((s, parent, steps)),
-                _ => None,
-            })
+            .filter_map(|s| if let Kind::Frame(parent, steps) = &s.kind { Some((s, parent, steps)) } else { None })
             .collect();
-        let names: Vec<String> = list.iter().map(|(s, _, _)| s.name.text.clone()).collect();
+        let mut first: HashMap<&str, usize> = HashMap::new();
         for (k, (s, _, _)) in list.iter().enumerate() {
-            if let Some(before) = names[..k].iter().position(|n| *n == s.name.text) {
-                self.diagnostics.push(
-                    Diagnostic::error("E0202", format!("the frame `{}` is declared twice", s.name.text), s.name.span, "again here")
-                        .also(list[before].0.name.span, "first here"),
-                );
+            if RESERVED.contains(&s.name.text.as_str()) {
+                let what = if s.name.text == "ground" { "is the frame that does not move" } else { "is a word of the language" };
+                self.diagnostics.push(Diagnostic::error("E0202", format!("`{}` {what}", s.name.text), s.name.span, "choose another name"));
             }
-            if s.name.text == "ground" {
-                self.diagnostics.push(Diagnostic::error(
-                    "E0202",
-                    "`ground` is the frame that does not move",
-                    s.name.span,
-                    "choose another name",
-                ));
-            }
-        }
-        let mut placed: Vec<String> = Vec::new();
-        let mut waiting: Vec<usize> = (0..list.len()).collect();
-        loop {
-            let before = waiting.len();
-            waiting.retain(|&k| {
-                let (s, parent, steps) = list[k];
-                let parent_ref = if parent.text == "ground" {
-                    FrameRef::Ground
-                } else if let Some(p) = placed.iter().position(|n| *n == parent.text) {
-                    FrameRef::Frame(p)
-                } else {
-                    return true;
-                };
-                let steps = steps.iter().map(|step| self.step(step)).collect();
-                self.rig.frames.push(Frame { name: s.name.text.clone(), doc: s.doc.clone(), parent: parent_ref, steps, span: s.name.span });
-                placed.push(s.name.text.clone());
-                false
-            });
-            if waiting.len() == before {
-                break;
-            }
-        }
-        for &k in &waiting {
-            let (s, parent, _) = list[k];
-            if names.contains(&parent.text) {
-                let circle = in_circle(k, &list, &names);
-                if circle {
-                    self.diagnostics.push(
-                        Diagnostic::error(
-                            "E0301",
-                            format!("the frame `{}` stands on itself", s.name.text),
-                            parent.span,
-                            "its chain comes back here",
-                        )
-                        .help("every chain of frames starts at `ground`"),
-                    );
-                }
+            if let Some(before) = first.get(s.name.text.as_str()) {
+                let d = Diagnostic::error("E0202", format!("the frame `{}` is declared twice", s.name.text), s.name.span, "again here");
+                self.diagnostics.push(d.also(list[*before].0.name.span, "first here").help("rename one of them"));
             } else {
-                let near = nearest(&parent.text, names.iter().map(String::as_str).chain(["ground"]));
-                let mut d = Diagnostic::error("E0201", format!("there is no frame `{}`", parent.text), parent.span, "unknown frame");
-                d = match near {
-                    Some(near) => d.help(format!("did you mean `{near}`?")),
-                    None => d.help("every chain of frames starts at `ground`"),
-                };
-                self.diagnostics.push(d);
+                first.insert(&s.name.text, k);
             }
-            // keep the name, so that bodies on it are no second error
-            self.rig.frames.push(Frame {
-                name: s.name.text.clone(),
-                doc: String::new(),
-                parent: FrameRef::Ground,
-                steps: Vec::new(),
-                span: s.name.span,
-            });
+        }
+        let needs: Vec<Vec<usize>> =
+            list.iter().map(|(_, parent, _)| first.get(parent.text.as_str()).copied().into_iter().collect()).collect();
+        let order = Order::of(&needs);
+        for circle in &order.circles {
+            let (s, parent, _) = list[circle[0]];
+            let mut d = Diagnostic::error(
+                "E0301",
+                format!("the frame `{}` stands on itself", s.name.text),
+                parent.span,
+                "its chain comes back to it",
+            );
+            for &k in &circle[1..] {
+                d = d.also(list[k].1.span, format!("by way of `{}`", list[k].0.name.text));
+            }
+            self.diagnostics.push(d.help("every chain of frames starts at `ground`"));
+        }
+        let stuck: BTreeSet<usize> = order.stuck.iter().copied().collect();
+        let mut place: HashMap<&str, usize> = HashMap::new();
+        for &k in &order.order {
+            let (s, parent, steps) = list[k];
+            let mut known = !stuck.contains(&k);
+            let parent_ref = match place.get(parent.text.as_str()) {
+                Some(&p) => FrameRef::Frame(p),
+                None => {
+                    if parent.text != "ground" && known {
+                        known = false;
+                        let names: Vec<String> = list.iter().map(|(s, _, _)| s.name.text.clone()).chain(["ground".to_owned()]).collect();
+                        self.unknown("frame", parent, "every chain of frames starts at `ground`", &names, "E0201");
+                    }
+                    FrameRef::Ground
+                }
+            };
+            let mut steps: Vec<Step> = steps.iter().map(|step| self.step(step)).collect();
+            if !known {
+                // nobody knows where it is: checks of mechanics pass over what stands on it
+                steps.push(Step::Translate([hole(), hole(), hole()]));
+            }
+            if first.get(s.name.text.as_str()) == Some(&k) {
+                place.insert(&s.name.text, self.rig.frames.len());
+            }
+            self.rig.frames.push(Frame { name: s.name.text.clone(), doc: s.doc.clone(), parent: parent_ref, steps, span: s.name.span });
         }
     }
 
     pub(super) fn step(&mut self, step: &ast::Step) -> Step {
         match step {
-            ast::Step::Rotate(axis, angle, _) => {
+            ast::Step::Rotate(axis, angle) => {
                 let axis = match axis {
                     AxisExpr::Principal(index, negative) => Axis::Principal { index: *index, negative: *negative },
                     AxisExpr::Vector(v) => self.axis_vector(v),
                 };
                 let checked = self.expect(angle, Dimension::NONE, "a rotation", Allowed::Configuration);
                 self.affine(&checked, angle.span, "angle");
+                self.many_turns(angle, &checked);
                 Step::Rotate { axis, angle: checked }
             }
             ast::Step::Translate(components, span) => {
@@ -131,13 +115,17 @@ impl Resolver<'_> {
         let mut n = [0.0; 3];
         for (k, slot) in n.iter_mut().enumerate() {
             if let Some(e) = v.0.get(k) {
-                *slot = self.constant(e, &Unit::none(), "a component of an axis").unwrap_or(0.0);
+                *slot = self.constant(e, &Unit::none(), "a component of an axis").unwrap_or(f64::NAN);
             }
         }
         let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if v.0.len() == 3 && length.is_nan() {
+            return Axis::Vector([f64::NAN; 3]);
+        }
         if v.0.len() != 3 || length <= 0.0 || !length.is_finite() {
-            self.diagnostics.push(Diagnostic::error("E0313", "an axis is a vector of three numbers, not all zero", v.1, "this axis"));
-            return Axis::Principal { index: 2, negative: false };
+            let d = Diagnostic::error("E0313", "an axis is a vector of three numbers, not all zero", v.1, "this axis");
+            self.diagnostics.push(d.help("write (a, b, c); its length does not matter"));
+            return Axis::Vector([f64::NAN; 3]);
         }
         let unit = n.map(|x| x / length);
         for (index, &x) in unit.iter().enumerate() {
@@ -148,36 +136,20 @@ impl Resolver<'_> {
         Axis::Vector(unit)
     }
 
-    pub(super) fn frame(&mut self, name: &Name) -> FrameRef {
+    /// The frame of this name, or that of the body of this name; `None` with an error where there is none.
+    pub(super) fn frame(&mut self, name: &Name) -> Option<FrameRef> {
         if name.text == "ground" {
-            return FrameRef::Ground;
+            return Some(FrameRef::Ground);
         }
         if let Some(i) = self.rig.frames.iter().position(|f| f.name == name.text) {
-            return FrameRef::Frame(i);
+            return Some(FrameRef::Frame(i));
         }
         if let Some(body) = self.rig.bodies.iter().find(|b| b.name == name.text) {
-            return body.frame;
+            return Some(body.frame);
         }
-        let names: Vec<&str> = self.rig.frames.iter().map(|f| f.name.as_str()).chain(["ground"]).collect();
-        let mut d = Diagnostic::error("E0201", format!("there is no frame `{}`", name.text), name.span, "unknown frame");
-        d = match nearest(&name.text, names.iter().copied()) {
-            Some(near) => d.help(format!("did you mean `{near}`?")),
-            None => d.help(format!("frames are {}", names.join(", "))),
-        };
-        self.diagnostics.push(d);
-        FrameRef::Ground
+        let names: Vec<String> = self.rig.frames.iter().map(|f| f.name.clone()).chain(["ground".to_owned()]).collect();
+        let all = format!("frames are {}", names.join(", "));
+        self.unknown("frame", name, &all, &names, "E0201");
+        None
     }
-}
-
-/// Whether following parents from frame k comes back to k.
-pub(super) fn in_circle(k: usize, list: &[(&Statement, &Name, &Vec<ast::Step>)], names: &[String]) -> bool {
-    let mut at = k;
-    for _ in 0..=list.len() {
-        let Some(next) = names.iter().position(|n| *n == list[at].1.text) else { return false };
-        if next == k {
-            return true;
-        }
-        at = next;
-    }
-    false
 }

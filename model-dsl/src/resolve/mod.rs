@@ -6,24 +6,30 @@ mod bodies;
 mod equations;
 mod forces;
 mod frames;
+mod order;
 mod paths;
 mod terms;
 mod trims;
 mod values;
 
-use crate::ast::{
-    self, Along as AstAlong, Assume, AxisExpr, AxisOrVector, BodyEntry, Entry, Expr as Ast, ExprKind, Kind, Name, Statement, Value,
-};
+use crate::ast::{self, Expr as Ast, Kind, Name, Statement};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::quantity::{Allowed, Checker, Meaning, Quantity, Scope, is_bare};
 use crate::rig::*;
+use crate::source::Sources;
 use crate::units::{Dimension, Unit};
 use paths::plain_output;
 use std::collections::BTreeSet;
-use terms::negative;
+use terms::hole;
 
 /// Builds the rig from its statements; `None` where an error left a hole.
-pub fn resolve(name: &Name, doc: &str, statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> (Rig, BTreeSet<Symbol>) {
+pub fn resolve(
+    name: &Name,
+    doc: &str,
+    statements: &[Statement],
+    sources: &Sources,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> (Rig, BTreeSet<Symbol>) {
     let rig = Rig {
         name: name.text.clone(),
         doc: doc.to_owned(),
@@ -46,16 +52,39 @@ pub fn resolve(name: &Name, doc: &str, statements: &[Statement], diagnostics: &m
         trims: Vec::new(),
         assumptions: Vec::new(),
     };
-    let mut r = Resolver { rig, scope: Scope::default(), diagnostics, used: BTreeSet::new(), row_unit: Vec::new() };
+    let mut r = Resolver {
+        rig,
+        scope: Scope::default(),
+        sources,
+        diagnostics,
+        used: BTreeSet::new(),
+        row_unit: Vec::new(),
+        circular: BTreeSet::new(),
+    };
+    r.scope.lost = statements.iter().filter(|s| matches!(s.kind, Kind::Broken)).map(|s| s.name.text.clone()).collect();
     r.values(statements);
     r.definitions(statements);
     r.inputs(statements);
     r.frames(statements);
     r.row_units(statements);
-    for s in statements {
-        r.statement(s);
+    // the order of statements does not matter: bodies are places for forces, and assumptions name what all others declare
+    let rank = |s: &Statement| match s.kind {
+        Kind::Body(..) => 0,
+        Kind::Assume(_) => 2,
+        _ => 1,
+    };
+    for pass in 0..3 {
+        if pass == 2 {
+            r.equations(statements);
+        }
+        for s in statements.iter().filter(|s| rank(s) == pass) {
+            r.statement(s);
+        }
     }
-    r.equations(statements);
+    if r.rig.coordinates.is_empty() && r.scope.lost.is_empty() {
+        let d = Diagnostic::error("E0115", format!("the rig `{}` has no coordinates", name.text), name.span, "nothing can move");
+        r.diagnostics.push(d.help("declare one, as in `coord theta: rad;`"));
+    }
     if r.rig.outputs.is_empty() {
         for (i, c) in r.rig.coordinates.iter().enumerate() {
             r.rig.outputs.push(plain_output(c, i));
@@ -64,22 +93,32 @@ pub fn resolve(name: &Name, doc: &str, statements: &[Statement], diagnostics: &m
     (r.rig, r.used)
 }
 
+/// Words that an expression could not tell from a name.
+const RESERVED: [&str; 12] = ["t", "pi", "ground", "in", "on", "at", "along", "against", "about", "value", "fixed", "per"];
+
 struct Resolver<'a> {
     rig: Rig,
     scope: Scope,
+    sources: &'a Sources,
     diagnostics: &'a mut Vec<Diagnostic>,
     used: BTreeSet<Symbol>,
-    /// Dimension of each coordinate's equation.
-    row_unit: Vec<Dimension>,
+    /// Dimension of each coordinate's equation; `None` where an error hides it.
+    row_unit: Vec<Option<Dimension>>,
+    /// Definitions in a circle.
+    circular: BTreeSet<String>,
 }
 
 impl Resolver<'_> {
     fn checker(&mut self) -> Checker<'_> {
-        Checker { scope: &self.scope, diagnostics: self.diagnostics, used: &mut self.used }
+        Checker { scope: &self.scope, sources: self.sources, diagnostics: self.diagnostics, used: &mut self.used }
     }
 
-    fn expect(&mut self, ast: &Ast, wanted: Dimension, what: &str, allowed: Allowed) -> Expr {
-        self.checker().expect(ast, wanted, what, allowed).unwrap_or(Expr::Number(0.0))
+    fn expect(&mut self, ast: &Ast, wanted: impl Into<Option<Dimension>>, what: &str, allowed: Allowed) -> Expr {
+        let checked = match wanted.into() {
+            Some(wanted) => self.checker().expect(ast, wanted, what, allowed),
+            None => self.checker().check(ast, allowed).map(|q| q.expr),
+        };
+        checked.unwrap_or_else(hole)
     }
 
     fn vector(&mut self, v: &ast::Vector, wanted: Dimension, what: &str, allowed: Allowed) -> [Expr; 3] {
@@ -89,7 +128,7 @@ impl Resolver<'_> {
                     .help("write (x, y, z)"),
             );
         }
-        std::array::from_fn(|k| v.0.get(k).map_or(Expr::Number(0.0), |e| self.expect(e, wanted, what, allowed)))
+        std::array::from_fn(|k| v.0.get(k).map_or_else(hole, |e| self.expect(e, wanted, what, allowed)))
     }
 
     /// A number known now: literals and arithmetic of literals.
@@ -115,7 +154,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn declare(&mut self, name: &Name, symbol: Symbol, dimension: Option<Dimension>, what: &'static str) {
+    fn declare(&mut self, name: &Name, symbol: Symbol, dimension: Option<Dimension>, what: &'static str, doc: &str) {
         if let Some(before) = self.scope.names.get(&name.text) {
             self.diagnostics.push(
                 Diagnostic::error("E0202", format!("`{}` is declared twice", name.text), name.span, "again here")
@@ -124,16 +163,24 @@ impl Resolver<'_> {
             );
             return;
         }
-        if ["t", "pi", "ground"].contains(&name.text.as_str()) {
-            self.diagnostics.push(Diagnostic::error(
-                "E0202",
-                format!("`{}` is a name of the language", name.text),
-                name.span,
-                "choose another name",
-            ));
+        if RESERVED.contains(&name.text.as_str()) {
+            let d = Diagnostic::error("E0202", format!("`{}` is a word of the language", name.text), name.span, "choose another name");
+            self.diagnostics.push(d);
         }
         self.scope.order.push(name.text.clone());
-        self.scope.names.insert(name.text.clone(), Meaning { symbol, dimension, span: name.span, what });
+        self.scope.names.insert(name.text.clone(), Meaning { symbol, dimension, span: name.span, what, doc: phrase(doc) });
+    }
+
+    /// A bare number where an angle stands, of more than a turn: probably degrees.
+    fn many_turns(&mut self, ast: &Ast, checked: &Expr) {
+        if let Expr::Number(x) = checked
+            && is_bare(ast)
+            && x.abs() > std::f64::consts::TAU
+        {
+            let d =
+                Diagnostic::warning("W0404", format!("{x} rad is more than a full turn"), ast.span, "a number without unit is in radians");
+            self.diagnostics.push(d.help(format!("if degrees are meant, write `{x}deg`")));
+        }
     }
 
     fn coordinate(&mut self, name: &Name) -> Option<usize> {
@@ -141,13 +188,34 @@ impl Resolver<'_> {
             return Some(i);
         }
         let names: Vec<&str> = self.rig.coordinates.iter().map(|c| c.name.as_str()).collect();
-        let mut d = Diagnostic::error("E0201", format!("there is no coordinate `{}`", name.text), name.span, "unknown coordinate");
-        d = match nearest(&name.text, names.iter().copied()) {
-            Some(near) => d.help(format!("did you mean `{near}`?")),
-            None => d.help(format!("coordinates are {}", names.join(", "))),
-        };
-        self.diagnostics.push(d);
+        let all = if names.is_empty() { "the rig has none".to_owned() } else { format!("coordinates are {}", names.join(", ")) };
+        self.unknown("coordinate", name, &all, &names.iter().map(|n| (*n).to_owned()).collect::<Vec<_>>(), "E0201");
         None
+    }
+
+    /// A name that is none of its kind: of another kind, or of none. Names lost to an error were reported.
+    fn unknown(&mut self, kind: &str, name: &Name, all: &str, known: &[String], code: &'static str) {
+        if self.scope.lost.contains(&name.text) {
+            return;
+        }
+        if let Some(m) = self.scope.names.get(&name.text) {
+            let (what, span) = (m.what, m.span);
+            let d =
+                Diagnostic::error("E0206", format!("`{}` is {what}, not a {kind}", name.text), name.span, format!("a {kind} stands here"));
+            self.diagnostics.push(d.also(span, "declared here").help(all.to_owned()));
+            return;
+        }
+        if kind != "frame" && self.rig.frames.iter().any(|f| f.name == name.text) {
+            let d =
+                Diagnostic::error("E0206", format!("`{}` is a frame, not a {kind}", name.text), name.span, format!("a {kind} stands here"));
+            self.diagnostics.push(d.help(all.to_owned()));
+            return;
+        }
+        let d = Diagnostic::error(code, format!("there is no {kind} `{}`", name.text), name.span, format!("unknown {kind}"));
+        self.diagnostics.push(match nearest(&name.text, known.iter().map(String::as_str)) {
+            Some(near) => d.help(format!("did you mean `{near}`?")),
+            None => d.help(all.to_owned()),
+        });
     }
 
     fn coordinates(&mut self, names: &[Name]) -> Vec<usize> {
@@ -155,114 +223,18 @@ impl Resolver<'_> {
     }
 
     fn statement(&mut self, s: &Statement) {
-        let name = s.name.text.clone();
-        let (doc, span) = (s.doc.clone(), s.name.span);
         match &s.kind {
             Kind::Body(frame, entries) => self.body(s, frame, entries),
-            Kind::Gravity(value, along) => {
-                let size = self.expect(value, Dimension::ACCELERATION, "gravity", Allowed::Parameters);
-                let zero = Expr::Number(0.0);
-                let acceleration = match along {
-                    None => [zero.clone(), zero, negative(size)],
-                    Some(AxisOrVector::Axis(k, minus)) => std::array::from_fn(|i| {
-                        if i != *k {
-                            zero.clone()
-                        } else if *minus {
-                            negative(size.clone())
-                        } else {
-                            size.clone()
-                        }
-                    }),
-                    Some(AxisOrVector::Vector(v)) => {
-                        let direction = self.vector(v, Dimension::NONE, "a direction", Allowed::Parameters);
-                        direction.map(|d| {
-                            if d == Expr::Number(0.0) { d } else { Expr::Binary(BinaryOp::Mul, Box::new(size.clone()), Box::new(d)) }
-                        })
-                    }
-                };
-                self.rig.gravity = Some(Gravity { acceleration, span: s.span });
-            }
-            Kind::Force(frame, at, vector, axes, against) => {
-                let frame = self.frame(frame);
-                let point = at.as_ref().map_or([Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0)], |p| {
-                    self.vector(p, Dimension::LENGTH, "a point", Allowed::Parameters)
-                });
-                let vector = self.vector(vector, Dimension::FORCE, "a force", Allowed::Everything);
-                let axes = axes.as_ref().map_or(frame, |n| self.frame(n));
-                let against = against.as_ref().map(|n| self.frame(n));
-                self.unique(s, "force");
-                self.rig.forces.push(Force { name, doc, kind: ForceKind::Force { frame, point, vector, axes, against }, span });
-            }
-            Kind::Torque(frame, vector, axes, against) => {
-                let frame = self.frame(frame);
-                let vector = self.vector(vector, Dimension::TORQUE, "a torque", Allowed::Everything);
-                let axes = axes.as_ref().map_or(frame, |n| self.frame(n));
-                let against = against.as_ref().map(|n| self.frame(n));
-                self.unique(s, "torque");
-                self.rig.forces.push(Force { name, doc, kind: ForceKind::Torque { frame, vector, axes, against }, span });
-            }
-            Kind::Generalized(place, value) => {
-                let Some(coordinate) = self.coordinate(place) else { return };
-                let unit = self.row_unit[coordinate];
-                let value = self.expect(value, unit, &format!("the equation of `{}`", place.text), Allowed::Everything);
-                self.unique(s, "torque");
-                self.rig.forces.push(Force { name, doc, kind: ForceKind::Generalized { coordinate, value }, span });
-            }
+            Kind::Gravity(value, along) => self.gravity(s, value, along.as_ref()),
+            Kind::Force(frame, at, vector, axes, against) => self.force(s, frame, at.as_ref(), vector, axes.as_ref(), against.as_ref()),
+            Kind::Torque(frame, vector, axes, against) => self.torque(s, frame, vector, axes.as_ref(), against.as_ref()),
+            Kind::Generalized(place, value) => self.generalized(s, place, value),
             Kind::Spring(along, entries) => self.spring(s, along, entries),
-            Kind::Damper(along, entries) => {
-                let along = self.along(along).0;
-                let mut viscous = Expr::Number(0.0);
-                for e in entries {
-                    match e.key.text.as_str() {
-                        "viscous" => {
-                            viscous = self.expect(
-                                &e.values[0],
-                                Dimension::FORCE * Dimension::TIME / Dimension::LENGTH,
-                                "a damper",
-                                Allowed::Parameters,
-                            )
-                        }
-                        _ => self.entry_error(e, "viscous C"),
-                    }
-                }
-                self.unique(s, "damper");
-                self.rig.dampers.push(Damper { name, along, viscous, span });
-            }
+            Kind::Damper(along, entries) => self.damper(s, along, entries),
             Kind::Friction(of, entries) => self.friction(s, of, entries),
-            Kind::Function(kind, value) => {
-                let (wanted, what, allowed) = match kind {
-                    EnergyKind::Potential => (Dimension::TORQUE, "a potential energy", Allowed::Configuration),
-                    EnergyKind::Kinetic => (Dimension::TORQUE, "a kinetic energy", Allowed::Motion),
-                    EnergyKind::Dissipation => (Dimension::POWER, "a dissipation function", Allowed::Motion),
-                };
-                let value = self.expect(value, wanted, what, allowed);
-                self.unique(s, "function");
-                self.rig.functions.push(EnergyFunction { name, kind: *kind, value, span });
-            }
-            Kind::Encoder(entry) => {
-                let Some(i) = self.coordinate(&s.name) else { return };
-                self.used.insert(Symbol::Coordinate(i));
-                let mut output = plain_output(&self.rig.coordinates[i], i);
-                output.encoder = self.encoder(entry, output.unit.dimension);
-                output.span = span;
-                self.output(output, s);
-            }
-            Kind::Output(unit, value, entries) => {
-                let Some(unit) = self.checker().unit(unit) else { return };
-                let value = self.expect(value, unit.dimension, "this output", Allowed::Motion);
-                let mut out = Output { name, unit: unit.clone(), value, scale: None, bias: None, delay: None, encoder: None, span };
-                for e in entries {
-                    let v = &e.values[0];
-                    match e.key.text.as_str() {
-                        "scale" => out.scale = Some(self.expect(v, Dimension::NONE, "a scale", Allowed::Parameters)),
-                        "bias" => out.bias = Some(self.expect(v, unit.dimension, "this bias", Allowed::Parameters)),
-                        "delay" => out.delay = Some(self.expect(v, Dimension::TIME, "a delay", Allowed::Parameters)),
-                        "encoder" => out.encoder = self.encoder(e, unit.dimension),
-                        _ => self.entry_error(e, "scale S, bias B, delay T, encoder COUNTS [zero at Z] [wrapped]"),
-                    }
-                }
-                self.output(out, s);
-            }
+            Kind::Function(kind, value) => self.function(s, *kind, value),
+            Kind::Encoder(entry) => self.encoder_output(s, entry),
+            Kind::Output(unit, value, entries) => self.declared_output(s, unit, value, entries),
             Kind::Trim(fixed, zero, solve) => self.trim(s, fixed, zero, solve),
             Kind::Assume(list) => {
                 for (a, place) in list {
@@ -272,6 +244,13 @@ impl Resolver<'_> {
             _ => {}
         }
     }
+}
+
+/// The first words of a comment, to name a thing by in a sentence: `thrust constant`.
+fn phrase(doc: &str) -> String {
+    let first = doc.lines().next().unwrap_or("").split([',', ';', '.', '(', ':']).next().unwrap_or("").trim();
+    let few = first.split_whitespace().count() <= 5 && first.len() <= 40;
+    if few { first.strip_prefix("the ").unwrap_or(first).to_owned() } else { String::new() }
 }
 
 fn plural(n: usize) -> &'static str {

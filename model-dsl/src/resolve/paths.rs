@@ -2,11 +2,12 @@
 
 use super::Resolver;
 use super::terms::{collect_inputs, determinant, linear_row};
-use crate::ast::{Entry, Expr as Ast, Kind, Name, Statement};
+use crate::ast::{Entry, Expr as Ast, Kind, Name, Statement, UnitExpr};
 use crate::diagnostic::Diagnostic;
-use crate::quantity::Allowed;
+use crate::quantity::{Allowed, Checker, Quantity};
 use crate::rig::*;
 use crate::units::{Dimension, Unit};
+use std::collections::BTreeSet;
 
 impl Resolver<'_> {
     pub(super) fn inputs(&mut self, statements: &[Statement]) {
@@ -14,9 +15,9 @@ impl Resolver<'_> {
             if let Kind::Input(unit, limits, _) = &s.kind {
                 let unit = self.checker().unit(unit);
                 let index = self.rig.inputs.len();
-                self.declare(&s.name, Symbol::Input(index), unit.as_ref().map(|u| u.dimension), "an input");
+                self.declare(&s.name, Symbol::Input(index), unit.as_ref().map(|u| u.dimension), "an input", &s.doc);
+                let limits = limits.as_ref().zip(unit.as_ref()).and_then(|(l, unit)| self.limits(l, unit, "an input's range"));
                 let unit = unit.unwrap_or_else(Unit::none);
-                let limits = limits.as_ref().and_then(|l| self.limits(l, &unit, "an input's range"));
                 self.rig.inputs.push(Input { name: s.name.text.clone(), doc: s.doc.clone(), unit, limits, span: s.name.span });
             }
         }
@@ -30,9 +31,10 @@ impl Resolver<'_> {
             match &s.kind {
                 Kind::Input(_, _, path) if !path.is_empty() => {
                     let Some(i) = self.rig.inputs.iter().position(|u| u.name == s.name.text) else { continue };
-                    let unit = self.rig.inputs[i].unit.clone();
+                    let known = self.scope.names.get(&s.name.text).is_some_and(|m| m.dimension.is_some());
+                    let unit = known.then(|| self.rig.inputs[i].unit.clone());
                     let index = self.rig.actuators.len();
-                    let actuator = self.path(&s.name, &s.doc, unit, Expr::Symbol(Symbol::Input(i)), path);
+                    let actuator = self.path(s, unit, Expr::Symbol(Symbol::Input(i)), path);
                     self.rig.actuators.push(actuator);
                     self.used.insert(Symbol::Input(i));
                     if let Some(m) = self.scope.names.get_mut(&s.name.text) {
@@ -42,31 +44,31 @@ impl Resolver<'_> {
                 Kind::Actuator(unit, map, path) => {
                     let unit = self.checker().unit(unit);
                     let dimension = unit.as_ref().map(|u| u.dimension);
-                    let unit = unit.unwrap_or_else(Unit::none);
-                    let map = self.expect(map, unit.dimension, "this actuator", Allowed::Everything);
+                    let map = self.expect(map, dimension, "this actuator", Allowed::Everything);
                     let index = self.rig.actuators.len();
-                    let actuator = self.path(&s.name, &s.doc, unit, map, path);
+                    let actuator = self.path(s, unit, map, path);
                     self.rig.actuators.push(actuator);
-                    self.declare(&s.name, Symbol::Actuator(index), dimension, "an actuator");
+                    self.declare(&s.name, Symbol::Actuator(index), dimension, "an actuator", &s.doc);
                 }
                 _ => {}
             }
         }
     }
 
-    pub(super) fn path(&mut self, name: &Name, doc: &str, unit: Unit, map: Expr, entries: &[Entry]) -> Actuator {
+    fn path(&mut self, s: &Statement, unit: Option<Unit>, map: Expr, entries: &[Entry]) -> Actuator {
+        let dimension = unit.as_ref().map(|u| u.dimension);
+        self.entries(s, entries, &[]);
         let mut out = Actuator {
-            name: name.text.clone(),
-            doc: doc.to_owned(),
-            unit,
+            name: s.name.text.clone(),
+            doc: s.doc.clone(),
+            unit: unit.unwrap_or_else(Unit::none),
             map,
             delay: None,
             dead_zone: None,
             saturation: None,
             lag: None,
-            span: name.span,
+            span: s.name.span,
         };
-        let dimension = out.unit.dimension;
         for e in entries {
             let value = &e.values[0];
             match e.key.text.as_str() {
@@ -91,16 +93,71 @@ impl Resolver<'_> {
         );
     }
 
-    pub(super) fn mix(&mut self, rows: &[(Name, Ast)], span: Span) {
-        let mut checked = Vec::new();
-        for (name, ast) in rows {
-            if let Some(q) = self.checker().check(ast, Allowed::Inputs) {
-                checked.push((name.clone(), q, ast.span));
+    /// No entry twice, and those that are needed.
+    pub(super) fn entries(&mut self, s: &Statement, entries: &[Entry], needed: &[&str]) {
+        for (k, e) in entries.iter().enumerate() {
+            if let Some(before) = entries[..k].iter().find(|b| b.key.text == e.key.text) {
+                let d = Diagnostic::error("E0115", format!("`{}` stands twice in this block", e.key.text), e.key.span, "again here");
+                self.diagnostics.push(d.also(before.key.span, "first here"));
             }
         }
-        if checked.len() != rows.len() {
-            return;
+        for key in needed.iter().filter(|key| !entries.iter().any(|e| e.key.text == **key)) {
+            let d = Diagnostic::error("E0115", format!("the {} `{}` has no {key}", s.keyword, s.name.text), s.name.span, "this one");
+            self.diagnostics.push(d.help(format!("write `{key} VALUE;` in its block")));
         }
+    }
+
+    pub(super) fn encoder_output(&mut self, s: &Statement, entry: &Entry) {
+        let Some(i) = self.coordinate(&s.name) else { return };
+        let mut output = plain_output(&self.rig.coordinates[i], i);
+        output.encoder = self.encoder(entry, output.unit.dimension);
+        output.span = s.name.span;
+        self.output(output, s);
+    }
+
+    pub(super) fn declared_output(&mut self, s: &Statement, unit: &UnitExpr, value: &Ast, entries: &[Entry]) {
+        let Some(unit) = self.checker().unit(unit) else { return };
+        let value = self.expect(value, unit.dimension, "this output", Allowed::Motion);
+        let name = s.name.text.clone();
+        let mut out = Output { name, unit: unit.clone(), value, scale: None, bias: None, delay: None, encoder: None, span: s.name.span };
+        self.entries(s, entries, &[]);
+        for e in entries {
+            let v = &e.values[0];
+            match e.key.text.as_str() {
+                "scale" => out.scale = Some(self.expect(v, Dimension::NONE, "a scale", Allowed::Parameters)),
+                "bias" => out.bias = Some(self.expect(v, unit.dimension, "this bias", Allowed::Parameters)),
+                "delay" => out.delay = Some(self.expect(v, Dimension::TIME, "a delay", Allowed::Parameters)),
+                "encoder" => out.encoder = self.encoder(e, unit.dimension),
+                _ => self.entry_error(e, "scale S, bias B, delay T, encoder COUNTS [zero at Z] [wrapped]"),
+            }
+        }
+        self.output(out, s);
+    }
+
+    fn encoder_zero(&mut self, v: &Ast, dimension: Dimension) -> Expr {
+        let checked = self.expect(v, dimension, "an encoder's zero", Allowed::Parameters);
+        if dimension == Dimension::NONE {
+            self.many_turns(v, &checked);
+        }
+        checked
+    }
+
+    fn mix(&mut self, rows: &[(Name, Ast)], span: Span) {
+        if let Err(found) = self.mixed(rows, span) {
+            self.diagnostics.extend(found);
+            // what uses the mixed inputs is no second error
+            self.scope.lost.extend(rows.iter().map(|(name, _)| name.text.clone()));
+        }
+    }
+
+    fn mixed(&mut self, rows: &[(Name, Ast)], span: Span) -> Result<(), Option<Diagnostic>> {
+        // an input is used where the mixed input is
+        let mut unused = BTreeSet::new();
+        let checked: Vec<Option<(&Name, Quantity, Span)>> = rows
+            .iter()
+            .map(|(name, ast)| Checker { used: &mut unused, ..self.checker() }.check(ast, Allowed::Inputs).map(|q| (name, q, ast.span)))
+            .collect();
+        let checked: Vec<(&Name, Quantity, Span)> = checked.into_iter().collect::<Option<_>>().ok_or(None)?;
         let mut inputs: Vec<usize> = Vec::new();
         for (_, q, _) in &checked {
             collect_inputs(&q.expr, &mut inputs);
@@ -109,40 +166,40 @@ impl Resolver<'_> {
         inputs.dedup();
         let mut matrix = Vec::new();
         for (_, q, place) in &checked {
-            match linear_row(&q.expr, &inputs) {
-                Some(row) => matrix.push(row),
-                None => {
-                    self.diagnostics.push(Diagnostic::error(
-                        "E0309",
-                        "a mix is a sum of inputs times numbers",
-                        *place,
-                        "not linear in the inputs",
-                    ));
-                    return;
-                }
-            }
+            let not_linear = || {
+                Diagnostic::error("E0309", "a mix is a sum of inputs times numbers", *place, "not linear in the inputs")
+                    .help("write for example `f_s = f_1 + f_2;`")
+            };
+            matrix.push(linear_row(&q.expr, &inputs).ok_or_else(|| Some(not_linear()))?);
         }
-        if matrix.len() != inputs.len() || determinant(&matrix).abs() < 1e-12 {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    "E0309",
-                    format!("{} mixed inputs from {} inputs cannot be undone", matrix.len(), inputs.len()),
-                    span,
-                    "this mix",
-                )
-                .help("a mix needs as many independent rows as it has inputs: `f_s = f_1 + f_2; f_d = f_1 - f_2;`"),
+        if matrix.len() != inputs.len() {
+            let (m, n) = (matrix.len(), inputs.len());
+            let message = format!(
+                "{m} mixed input{} from {n} input{} cannot be undone",
+                if m == 1 { "" } else { "s" },
+                if n == 1 { "" } else { "s" }
             );
-            return;
+            return Err(Some(
+                Diagnostic::error("E0309", message, span, "this mix")
+                    .help("a mix has as many rows as it has inputs: `f_s = f_1 + f_2; f_d = f_1 - f_2;`"),
+            ));
+        }
+        // relative to the size of its rows, so that the scale of the coefficients does not matter
+        let size: f64 = matrix.iter().map(|row| row.iter().map(|x| x * x).sum::<f64>().sqrt()).product();
+        if determinant(&matrix).abs() <= 1e-12 * size {
+            let d = Diagnostic::error("E0309", "the rows of this mix are not independent: it cannot be undone", span, "this mix");
+            return Err(Some(d.help("no row may be a combination of the others: `f_s = f_1 + f_2; f_d = f_1 - f_2;`")));
         }
         let index = self.rig.mixes.len();
         let mut mix = Mix { names: Vec::new(), units: Vec::new(), inputs, rows: matrix, span };
         for (row, (name, q, _)) in checked.iter().enumerate() {
-            self.declare(name, Symbol::Mixed(index, row), q.dimension, "a mixed input");
+            self.declare(name, Symbol::Mixed(index, row), q.dimension, "a mixed input", "");
             mix.names.push(name.text.clone());
             let first = mix.inputs.first().map_or_else(Unit::none, |&i| self.rig.inputs[i].unit.clone());
             mix.units.push(if q.dimension == Some(first.dimension) { first } else { Unit::si(q.dimension.unwrap_or_default()) });
         }
         self.rig.mixes.push(mix);
+        Ok(())
     }
 
     pub(super) fn output(&mut self, output: Output, s: &Statement) {
@@ -166,7 +223,7 @@ impl Resolver<'_> {
         for (key, value) in &entry.options {
             match (key.text.as_str(), value) {
                 ("wrapped", _) => out.wrapped = true,
-                ("zero", Some(v)) => out.zero = Some(self.expect(v, dimension, "an encoder's zero", Allowed::Parameters)),
+                ("zero", Some(v)) => out.zero = Some(self.encoder_zero(v, dimension)),
                 _ => self.diagnostics.push(
                     Diagnostic::error("E0115", format!("`{}` is no option of an encoder", key.text), key.span, "here")
                         .help("options are `zero at VALUE` and `wrapped`"),

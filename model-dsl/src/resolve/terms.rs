@@ -3,6 +3,11 @@
 use crate::ast::{Expr as Ast, ExprKind};
 use crate::rig::{BinaryOp, Expr, Symbol};
 
+/// What stands where an error was reported: checks of mechanics pass over it.
+pub(super) fn hole() -> Expr {
+    Expr::Number(f64::NAN)
+}
+
 pub(super) fn negative(e: Expr) -> Expr {
     match e {
         Expr::Number(x) => Expr::Number(-x),
@@ -33,12 +38,6 @@ pub(super) fn symbols_in(e: &Expr, out: &mut Vec<Symbol>) {
     }
 }
 
-pub(super) fn definitions_in(e: &Expr) -> Vec<usize> {
-    let mut all = Vec::new();
-    symbols_in(e, &mut all);
-    all.into_iter().filter_map(|s| if let Symbol::Definition(k) = s { Some(k) } else { None }).collect()
-}
-
 pub(super) fn coordinates_in(e: &Expr) -> Vec<usize> {
     let mut all = Vec::new();
     symbols_in(e, &mut all);
@@ -57,16 +56,6 @@ pub(super) fn collect_inputs(e: &Expr, out: &mut Vec<usize>) {
     out.extend(all.into_iter().filter_map(|s| if let Symbol::Input(k) = s { Some(k) } else { None }));
 }
 
-pub(super) fn renumber(e: &Expr, place: &dyn Fn(usize) -> usize) -> Expr {
-    match e {
-        Expr::Symbol(Symbol::Definition(k)) => Expr::Symbol(Symbol::Definition(place(*k))),
-        Expr::Number(_) | Expr::Symbol(_) => e.clone(),
-        Expr::Neg(a) => Expr::Neg(Box::new(renumber(a, place))),
-        Expr::Binary(op, a, b) => Expr::Binary(*op, Box::new(renumber(a, place)), Box::new(renumber(b, place))),
-        Expr::Call(f, args) => Expr::Call(*f, args.iter().map(|a| renumber(a, place)).collect()),
-    }
-}
-
 /// Degree in the coordinates: 0, 1, 2 or more; `None` for anything that is no polynomial in them.
 pub(super) fn degree(e: &Expr) -> Option<u32> {
     match e {
@@ -82,7 +71,7 @@ pub(super) fn degree(e: &Expr) -> Option<u32> {
                 BinaryOp::Div => (y == 0).then_some(x),
                 BinaryOp::Pow => match (**b).clone() {
                     _ if x == 0 && y == 0 => Some(0),
-                    Expr::Number(n) if n == 1.0 => Some(x),
+                    Expr::Number(1.0) => Some(x),
                     _ => None,
                 },
             }
@@ -131,8 +120,9 @@ pub(super) fn determinant(m: &[Vec<f64>]) -> f64 {
         }
         for k in i + 1..n {
             let f = m[k][i] / m[i][i];
-            for j in i..n {
-                m[k][j] -= f * m[i][j];
+            let pivot = m[i].clone();
+            for (x, p) in m[k].iter_mut().zip(&pivot).skip(i) {
+                *x -= f * p;
             }
         }
     }

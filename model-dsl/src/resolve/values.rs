@@ -1,78 +1,82 @@
 //! Values: parameters, constants, lumps, derived parameters, coordinates and their trajectories.
 
 use super::Resolver;
-use super::terms::{definitions_in, names_in, renumber};
+use super::order::Order;
+use super::terms::{hole, names_in};
 use crate::ast::{Expr as Ast, ExprKind, Kind, Name, Statement, Value};
 use crate::diagnostic::Diagnostic;
 use crate::quantity::Allowed;
 use crate::rig::*;
 use crate::units::{Dimension, Unit};
+use std::collections::HashMap;
 
 impl Resolver<'_> {
     pub(super) fn values(&mut self, statements: &[Statement]) {
+        let list = written(statements);
+        let order = sorted(&list);
+        self.circles(&list, &order);
+        // where each definition stands among those sorted, by its place in the text
+        let mut place = vec![0; list.len()];
+        for (index, &k) in order.order.iter().enumerate() {
+            place[k] = index;
+        }
+        let mut definitions: Vec<Option<Definition>> = vec![None; list.len()];
+        let mut seen = 0;
         for s in statements {
             match &s.kind {
                 Kind::Param(unit, value, constant) => {
                     let unit = self.checker().unit(unit);
-                    let index = self.rig.parameters.len();
-                    self.declare(
-                        &s.name,
-                        Symbol::Parameter(index),
-                        unit.as_ref().map(|u| u.dimension),
-                        if *constant { "a constant" } else { "a parameter" },
-                    );
-                    let unit = unit.unwrap_or_else(Unit::none);
-                    self.parameter(&s.name, &s.doc, unit, value, *constant, None);
+                    let what = if *constant { "a constant" } else { "a parameter" };
+                    self.declare(&s.name, Symbol::Parameter(self.rig.parameters.len()), unit.as_ref().map(|u| u.dimension), what, &s.doc);
+                    let parameter = self.parameter(&s.name, &s.doc, unit.as_ref(), value, *constant, None);
+                    self.rig.parameters.push(parameter);
                 }
-                Kind::Define(unit, definition, own, is_lump) => {
+                Kind::Define(unit, _, own, is_lump) => {
                     let declared = unit.as_ref().and_then(|u| self.checker().unit(u));
-                    let index = self.rig.definitions.len();
+                    let index = place[seen];
+                    seen += 1;
                     // an inferred unit is filled in when its definition is checked
-                    self.declare(
-                        &s.name,
-                        Symbol::Definition(index),
-                        declared.as_ref().map(|u| u.dimension),
-                        if *is_lump { "a lump" } else { "a derived parameter" },
-                    );
+                    let what = if *is_lump { "a lump" } else { "a derived parameter" };
+                    self.declare(&s.name, Symbol::Definition(index), declared.as_ref().map(|u| u.dimension), what, &s.doc);
                     let parameter = own.as_ref().map(|_| self.rig.parameters.len());
                     if let Some(value) = own {
-                        let unit = declared.clone().unwrap_or_else(Unit::none);
-                        self.parameter(&s.name, &s.doc, unit, value, false, Some(index));
+                        // so is a value whose unit is inferred
+                        let parameter = self.parameter(&s.name, &s.doc, declared.as_ref(), value, false, Some(index));
+                        self.rig.parameters.push(parameter);
                     }
-                    let _ = definition;
-                    self.rig.definitions.push(Definition {
+                    definitions[index] = Some(Definition {
                         name: s.name.text.clone(),
                         doc: s.doc.clone(),
                         unit: declared.unwrap_or_else(Unit::none),
-                        value: Expr::Number(0.0),
+                        value: hole(),
                         is_lump: *is_lump,
                         parameter,
                         span: s.name.span,
                     });
                 }
                 Kind::Coord(unit, range, _, prescribed) => {
-                    let unit = self.checker().unit(unit);
+                    let place = unit.span;
+                    let mut unit = self.checker().unit(unit);
                     let index = self.rig.coordinates.len();
                     if let Some(u) = &unit
                         && u.dimension != Dimension::NONE
                         && u.dimension != Dimension::LENGTH
                     {
-                        self.diagnostics.push(
-                            Diagnostic::error(
-                                "E0231",
-                                format!("a coordinate is an angle or a length, this is {}", u.dimension),
-                                s.name.span,
-                                "declared here",
-                            )
-                            .help("write `rad` or `m`"),
+                        let d = Diagnostic::error(
+                            "E0231",
+                            format!("a coordinate is an angle or a length, this is {}", u.dimension),
+                            place,
+                            "its unit",
                         );
+                        self.diagnostics.push(d.help("write `rad` or `m`"));
+                        unit = None;
                     }
-                    self.declare(&s.name, Symbol::Coordinate(index), unit.as_ref().map(|u| u.dimension), "a coordinate");
-                    let unit = unit.unwrap_or_else(Unit::none);
-                    let range = range.as_ref().and_then(|r| self.limits(r, &unit, "a range"));
+                    self.declare(&s.name, Symbol::Coordinate(index), unit.as_ref().map(|u| u.dimension), "a coordinate", &s.doc);
+                    let range = range.as_ref().zip(unit.as_ref()).and_then(|(r, unit)| self.limits(r, unit, "a range"));
                     // coordinates live in SI; the declared unit is for what is given and shown
-                    let text = if unit.dimension == Dimension::LENGTH { "m" } else { "rad" };
-                    let si = Unit { text: text.to_owned(), factor: 1.0, dimension: unit.dimension };
+                    let dimension = unit.map_or(Dimension::NONE, |u| u.dimension);
+                    let text = if dimension == Dimension::LENGTH { "m" } else { "rad" };
+                    let si = Unit { text: text.to_owned(), factor: 1.0, dimension };
                     self.rig.coordinates.push(Coordinate {
                         name: s.name.text.clone(),
                         doc: s.doc.clone(),
@@ -86,6 +90,7 @@ impl Resolver<'_> {
                 _ => {}
             }
         }
+        self.rig.definitions = definitions.into_iter().flatten().collect();
         for s in statements {
             if let Kind::Coord(_, _, Some(trajectory), true) = &s.kind
                 && let Some(index) = self.rig.coordinates.iter().position(|c| c.name == s.name.text)
@@ -116,147 +121,130 @@ impl Resolver<'_> {
         Some((a, b))
     }
 
-    pub(super) fn parameter(&mut self, name: &Name, doc: &str, unit: Unit, value: &Value, constant: bool, definition: Option<usize>) {
-        let number = self.constant(&value.value, &unit, "a parameter's value").unwrap_or(0.0);
-        let prior_sd = value.prior.as_ref().and_then(|p| {
-            let relative = matches!(&p.kind, ExprKind::Number(_, Some(u)) if u.text == "%");
-            let sd = if relative {
-                self.constant(p, &Unit::none(), "a prior").map(|x| x * number.abs())
-            } else {
-                self.constant(p, &unit, "a prior")
-            };
-            match sd {
-                Some(sd) if sd <= 0.0 => {
-                    self.diagnostics.push(
-                        Diagnostic::error("E0310", "a prior needs a positive standard deviation", p.span, "this is zero or less")
-                            .help("write `fixed` to hold the value, or leave `+-` out to leave it free"),
-                    );
-                    None
-                }
-                other => other,
-            }
-        });
-        let bounds = value.bounds.as_ref().and_then(|b| self.limits(b, &unit, "a parameter's bounds"));
-        if let (Some((lo, hi)), Some((_, end))) = (bounds, &value.bounds)
-            && !(lo..=hi).contains(&number)
-        {
-            self.diagnostics.push(
-                Diagnostic::error("E0310", format!("the value of `{}` lies outside its bounds", name.text), value.value.span, "this value")
-                    .also(end.span, "upper bound"),
-            );
-        }
-        self.rig.parameters.push(Parameter {
+    /// A parameter's value in its unit; `None` where the unit is wrong, or is not known yet.
+    fn parameter(
+        &mut self,
+        name: &Name,
+        doc: &str,
+        unit: Option<&Unit>,
+        value: &Value,
+        constant: bool,
+        definition: Option<usize>,
+    ) -> Parameter {
+        let mut out = Parameter {
             name: name.text.clone(),
             doc: doc.to_owned(),
-            unit,
-            value: number,
-            prior_sd,
-            bounds,
+            unit: unit.cloned().unwrap_or_else(Unit::none),
+            value: f64::NAN,
+            prior_sd: None,
+            bounds: None,
             fixed: value.fixed || constant,
             constant,
             per_record: value.per_record,
             definition,
             span: name.span,
-        });
+        };
+        let Some(unit) = unit else { return out };
+        if let Some(number) = self.constant(&value.value, unit, &format!("`{}`", name.text)) {
+            out.value = number;
+        }
+        out.prior_sd = value.prior.as_ref().and_then(|p| self.prior(p, unit, out.value));
+        out.bounds = value.bounds.as_ref().and_then(|b| self.limits(b, unit, "a parameter's bounds"));
+        if let (Some((lo, hi)), Some((start, end))) = (out.bounds, &value.bounds)
+            && (out.value < lo || out.value > hi)
+        {
+            let bounds = Span { end: end.span.end, ..start.span };
+            let d =
+                Diagnostic::error("E0310", format!("the value of `{}` lies outside its bounds", name.text), value.value.span, "this value");
+            self.diagnostics.push(d.also(bounds, "its bounds"));
+        }
+        out
     }
 
-    /// Checks definitions in an order in which each stands behind what it uses.
+    /// Standard deviation of a prior: relative with `%`, otherwise in the parameter's unit.
+    fn prior(&mut self, p: &Ast, unit: &Unit, value: f64) -> Option<f64> {
+        let relative = matches!(&p.kind, ExprKind::Number(_, Some(u)) if u.text == "%");
+        let sd = if relative { self.constant(p, &Unit::none(), "a prior")? * value.abs() } else { self.constant(p, unit, "a prior")? };
+        if sd <= 0.0 {
+            let zero = relative && value == 0.0;
+            let label = if zero { "a percentage of zero is zero" } else { "this is zero or less" };
+            let help = if zero {
+                "write the standard deviation in the parameter's unit"
+            } else {
+                "write `fixed` to hold the value, or leave `+-` out to leave it free"
+            };
+            self.diagnostics.push(Diagnostic::error("E0310", "a prior needs a positive standard deviation", p.span, label).help(help));
+            return None;
+        }
+        Some(sd)
+    }
+
+    /// Checks definitions in an order in which each stands behind what it uses; circles are reported.
     pub(super) fn definitions(&mut self, statements: &[Statement]) {
-        let list: Vec<(&Statement, &Ast)> = statements
-            .iter()
-            .filter_map(|s| match &s.kind {
-                Kind::Define(_, definition, _, _) => Some((s, definition)),
-                _ => None,
-            })
-            .collect();
-        let index_of = |name: &str| list.iter().position(|(s, _)| s.name.text == name);
-        let mut state = vec![0_u8; list.len()];
-        let mut order = Vec::new();
-        for k in 0..list.len() {
-            self.visit(k, &list, &index_of, &mut state, &mut order);
-        }
-        for k in order {
-            let (s, definition) = list[k];
-            let declared = matches!(&s.kind, Kind::Define(Some(_), ..));
+        let list = definitions_of(statements);
+        for (k, &(s, definition)) in list.iter().enumerate() {
+            let Kind::Define(written, _, own, _) = &s.kind else { continue };
+            if self.circular.contains(&s.name.text) {
+                self.rig.definitions[k].value = hole();
+                continue;
+            }
             let unit = self.rig.definitions[k].unit.clone();
-            if declared {
-                let value = self.expect(definition, unit.dimension, &format!("`{}`", s.name.text), Allowed::Parameters);
-                self.rig.definitions[k].value = value;
-            } else if let Some(q) = self.checker().check(definition, Allowed::Parameters) {
-                let dimension = q.dimension.unwrap_or(Dimension::NONE);
-                self.rig.definitions[k].value = q.expr;
-                self.rig.definitions[k].unit = Unit::si(dimension);
-                if let Some(m) = self.scope.names.get_mut(&s.name.text) {
-                    m.dimension = Some(dimension);
+            if written.is_some() {
+                // where the declared unit was wrong, only names are checked
+                let wanted = self.scope.names.get(&s.name.text).and_then(|m| m.dimension);
+                self.rig.definitions[k].value =
+                    self.expect(definition, wanted.map(|_| unit.dimension), &format!("`{}`", s.name.text), Allowed::Parameters);
+            } else {
+                let found = self.checker().check(definition, Allowed::Parameters);
+                let dimension = found.as_ref().map(|q| q.dimension.unwrap_or(Dimension::NONE));
+                self.rig.definitions[k].value = found.map_or_else(hole, |q| q.expr);
+                if let Some(m) = self.scope.names.get_mut(&s.name.text)
+                    && m.symbol == Symbol::Definition(k)
+                {
+                    m.dimension = dimension;
                 }
-                if let Some(p) = self.rig.definitions[k].parameter {
-                    self.rig.parameters[p].unit = Unit::si(dimension);
+                self.rig.definitions[k].unit = Unit::si(dimension.unwrap_or_default());
+                if let (Some(p), Some(value), Some(_)) = (self.rig.definitions[k].parameter, own, dimension) {
+                    let unit = self.rig.definitions[k].unit.clone();
+                    self.rig.parameters[p] = self.parameter(&s.name, &s.doc, Some(&unit), value, false, Some(k));
                 }
             }
         }
-        self.sort_definitions();
     }
 
-    pub(super) fn visit(
-        &mut self,
-        k: usize,
-        list: &[(&Statement, &Ast)],
-        index_of: &dyn Fn(&str) -> Option<usize>,
-        state: &mut [u8],
-        order: &mut Vec<usize>,
-    ) {
-        if state[k] == 2 {
-            return;
-        }
-        if state[k] == 1 {
-            let name = &list[k].0.name;
-            self.diagnostics.push(Diagnostic::error(
-                "E0204",
-                format!("`{}` is defined by itself", name.text),
-                name.span,
-                "closes a circle of definitions",
-            ));
-            return;
-        }
-        state[k] = 1;
-        for name in names_in(list[k].1) {
-            if let Some(j) = index_of(&name) {
-                self.visit(j, list, index_of, state, order);
+    /// Definitions that stand for each other in a circle, each circle reported once.
+    fn circles(&mut self, list: &[(&Statement, &Ast)], order: &Order) {
+        for circle in &order.circles {
+            let names: Vec<&str> = circle.iter().map(|&k| list[k].0.name.text.as_str()).collect();
+            let first = &list[circle[0]].0.name;
+            let message = if names.len() == 1 {
+                format!("`{}` is defined by itself", names[0])
+            } else {
+                format!("{} are defined by each other", names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(", "))
+            };
+            let mut d = Diagnostic::error("E0204", message, first.span, "stands for itself in the end");
+            for &k in &circle[1..] {
+                d = d.also(list[k].0.name.span, "by way of this");
             }
+            self.diagnostics.push(d.help("give one of them a value of its own with `param`"));
         }
-        state[k] = 2;
-        order.push(k);
+        self.circular = order.stuck.iter().map(|&k| list[k].0.name.text.clone()).collect();
     }
+}
 
-    /// Puts definitions behind the ones that they use, and renumbers.
-    pub(super) fn sort_definitions(&mut self) {
-        let n = self.rig.definitions.len();
-        let mut order: Vec<usize> = Vec::new();
-        while order.len() < n {
-            let next =
-                (0..n).find(|k| !order.contains(k) && definitions_in(&self.rig.definitions[*k].value).iter().all(|d| order.contains(d)));
-            match next {
-                Some(k) => order.push(k),
-                None => break,
-            }
-        }
-        if order.len() < n || order.windows(2).all(|w| w[0] < w[1]) {
-            return;
-        }
-        let place = |old: usize| order.iter().position(|&k| k == old).unwrap_or(old);
-        let mut sorted: Vec<Definition> = order.iter().map(|&k| self.rig.definitions[k].clone()).collect();
-        for d in &mut sorted {
-            d.value = renumber(&d.value, &place);
-        }
-        self.rig.definitions = sorted;
-        for p in &mut self.rig.parameters {
-            p.definition = p.definition.map(place);
-        }
-        for m in self.scope.names.values_mut() {
-            if let Symbol::Definition(k) = m.symbol {
-                m.symbol = Symbol::Definition(place(k));
-            }
-        }
-        self.used = self.used.iter().map(|s| if let Symbol::Definition(k) = s { Symbol::Definition(place(*k)) } else { *s }).collect();
-    }
+/// `lump` and `derived` statements, each behind what it uses; otherwise in the order of the text.
+fn definitions_of(statements: &[Statement]) -> Vec<(&Statement, &Ast)> {
+    let list = written(statements);
+    sorted(&list).order.into_iter().map(|k| list[k]).collect()
+}
+
+fn written(statements: &[Statement]) -> Vec<(&Statement, &Ast)> {
+    statements.iter().filter_map(|s| if let Kind::Define(_, definition, ..) = &s.kind { Some((s, definition)) } else { None }).collect()
+}
+
+fn sorted(list: &[(&Statement, &Ast)]) -> Order {
+    let place: HashMap<&str, usize> = list.iter().enumerate().rev().map(|(k, (s, _))| (s.name.text.as_str(), k)).collect();
+    let needs: Vec<Vec<usize>> =
+        list.iter().map(|(_, definition)| names_in(definition).iter().filter_map(|n| place.get(n.as_str()).copied()).collect()).collect();
+    Order::of(&needs)
 }
