@@ -100,7 +100,10 @@ impl fmt::Display for TrimError {
             Self::NotSquare { unknowns, equations } => write!(f, "{unknowns} unknowns for {equations} equations"),
             Self::Singular(s) => write!(f, "the mass matrix is singular in coordinate {}", s.coordinate),
             Self::NoConvergence { residual, coordinate, rank, iterations } => {
-                write!(f, "no operating point: after {iterations} steps an acceleration of {residual:.3e} remains in coordinate {coordinate} (rank {rank})")
+                write!(
+                    f,
+                    "no operating point: after {iterations} steps an acceleration of {residual:.3e} remains in coordinate {coordinate} (rank {rank})"
+                )
             }
             Self::NotFinite => f.write_str("a value is not finite"),
         }
@@ -216,8 +219,12 @@ fn free_directions(jacobian: &DMatrix<f64>, unknowns: &[Unknown], threshold: f64
     for (k, &value) in eigen.eigenvalues.iter().enumerate() {
         if value.max(0.0).sqrt() <= threshold.max(f64::MIN_POSITIVE) {
             let column = eigen.eigenvectors.column(k);
-            let direction: Vec<(String, f64)> =
-                unknowns.iter().zip(column.iter()).filter(|(u, w)| !u.name.is_empty() && w.abs() > 1e-6).map(|(u, w)| (u.name.clone(), *w)).collect();
+            let direction: Vec<(String, f64)> = unknowns
+                .iter()
+                .zip(column.iter())
+                .filter(|(u, w)| !u.name.is_empty() && w.abs() > 1e-6)
+                .map(|(u, w)| (u.name.clone(), *w))
+                .collect();
             if !direction.is_empty() {
                 free.push(direction);
             }

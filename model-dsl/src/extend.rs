@@ -52,17 +52,27 @@ fn same(a: &Statement, b: &Statement) -> bool {
     a.keyword == b.keyword && a.name.text == b.name.text && a.keyword != "equation"
 }
 
+/// Statements of one family may replace one another: a `prescribed` coordinate one that was free, a `const` a `param`.
+fn family(s: &Statement) -> &'static str {
+    match s.keyword {
+        "const" | "derived" | "lump" => "param",
+        "prescribed" => "coord",
+        "encoder" => "output",
+        "torque" => "force",
+        own => own,
+    }
+}
+
 fn add(statements: &mut Vec<Statement>, new: &Statement, diagnostics: &mut Vec<Diagnostic>) {
     if new.action == Action::Add {
         statements.push(new.clone());
         return;
     }
-    // an equation is known by its left-hand side, everything else by keyword and name; values may change their keyword
-    let value = |s: &Statement| matches!(s.keyword, "param" | "const" | "derived" | "lump");
+    // an equation is known by its left-hand side, everything else by keyword and name
     let place = if new.keyword == "equation" {
         statements.iter().position(|s| s.keyword == "equation" && equation_of(s) == equation_of(new))
     } else {
-        statements.iter().position(|s| same(s, new) || (value(s) && value(new) && s.name.text == new.name.text))
+        statements.iter().position(|s| same(s, new) || (family(s) == family(new) && s.name.text == new.name.text))
     };
     match place {
         Some(place) => statements[place] = Statement { action: Action::Add, ..new.clone() },

@@ -193,3 +193,21 @@ pub fn parse_value(text: &str, expected: &units::Unit) -> Result<f64, String> {
         _ => Err(format!("`{text}` is no number")),
     }
 }
+
+/// A unit as written in a rig (`deg`, `N*m*s`, `m/s^2`), for records and options.
+///
+/// # Errors
+/// A sentence for the user.
+pub fn parse_unit(text: &str) -> Result<units::Unit, String> {
+    let mut diagnostics = Vec::new();
+    let tokens = token::lex(0, text, &mut diagnostics);
+    let parsed = parser::parse_unit(&tokens, &mut diagnostics);
+    let scope = quantity::Scope::default();
+    let mut used = std::collections::BTreeSet::new();
+    let unit = parsed.as_ref().and_then(|u| quantity::Checker { scope: &scope, diagnostics: &mut diagnostics, used: &mut used }.unit(u));
+    match (unit, diagnostics.first()) {
+        (Some(unit), None) if unit.factor.is_finite() && unit.factor > 0.0 => Ok(unit),
+        (_, Some(d)) => Err(d.message.clone()),
+        _ => Err(format!("`{text}` is no unit")),
+    }
+}

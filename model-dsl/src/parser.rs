@@ -63,6 +63,13 @@ pub fn parse_expression(tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> 
     if matches!(parser.peek().kind, T::End) { Some(expr) } else { parser.unexpected("the end").map_or(None, |()| None) }
 }
 
+/// Parses a unit; the whole of the tokens must be one.
+pub fn parse_unit(tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> Option<UnitExpr> {
+    let mut parser = Parser { tokens, at: 0, diagnostics, depth: 0 };
+    let unit = parser.unit().ok()?;
+    if matches!(parser.peek().kind, T::End) { Some(unit) } else { parser.unexpected("the end").map_or(None, |()| None) }
+}
+
 /// An error that was reported already.
 struct Reported;
 

@@ -67,13 +67,23 @@ fn extras(r: &mut Random, text: &mut String, k: usize, slides: bool, frames: &[S
     }
     if r.chance(0.3) {
         let stiffness = if slides { "N/m" } else { "N*m" };
-        let _ = writeln!(text, "    param k{k}: {stiffness} = {:.3};\n    spring s{k} on q{k} {{ stiffness k{k}; rest 0.1; }}", r.within(0.5, 5.0));
+        let _ = writeln!(
+            text,
+            "    param k{k}: {stiffness} = {:.3};\n    spring s{k} on q{k} {{ stiffness k{k}; rest 0.1; }}",
+            r.within(0.5, 5.0)
+        );
     }
     if r.chance(0.5) {
         let _ = writeln!(text, "    input u{k}: {row};\n    torque t{k} on q{k}: u{k};");
     }
     if r.chance(0.4) {
-        let _ = writeln!(text, "    input w{k}: N;\n    force p{k} on f{k} at ({}, {}, 0.1): (0, w{k}, 0){};", offset(r), offset(r), if r.chance(0.4) { " in ground" } else { "" });
+        let _ = writeln!(
+            text,
+            "    input w{k}: N;\n    force p{k} on f{k} at ({}, {}, 0.1): (0, w{k}, 0){};",
+            offset(r),
+            offset(r),
+            if r.chance(0.4) { " in ground" } else { "" }
+        );
     }
     if r.chance(0.2) && frames.len() > 2 {
         let other = &frames[1 + r.below(frames.len() - 2)];

@@ -55,7 +55,10 @@ fn random_rigs_keep_the_laws_of_mechanics() {
         let m = g.evaluate(&e.mass_matrix.concat(), at);
         for i in 0..n {
             for j in 0..n {
-                assert!((m[i * n + j] - m[j * n + i]).abs() <= 1e-13 * m[i * n + i].abs().max(m[j * n + j].abs()), "seed {seed}: M not symmetric");
+                assert!(
+                    (m[i * n + j] - m[j * n + i]).abs() <= 1e-13 * m[i * n + i].abs().max(m[j * n + j].abs()),
+                    "seed {seed}: M not symmetric"
+                );
             }
         }
         assert!(g.evaluate(&e.pivots, at).iter().all(|&d| d > 0.0), "seed {seed}: M not positive definite");

@@ -4,7 +4,7 @@
 
 use super::bodies::Inertia;
 use super::tree::{Motion, Tree, axis_vector};
-use super::vector::{V3, add3, add_tensors, cross3, dot3, point_inertia, scale3, tensor_times, zero3};
+use super::vector::{V3, add_tensors, add3, cross3, dot3, point_inertia, scale3, tensor_times, zero3};
 use crate::expr::{Graph, Id};
 use model_dsl::rig::Axis;
 
@@ -81,7 +81,15 @@ pub fn origin_velocities(tree: &Tree, g: &mut Graph, omega: &[V3], speed: &[Id])
 /// before projection onto the joints.
 ///
 /// `gravity` is the acceleration of free fall in ground; ground is given the opposite acceleration.
-pub fn inertial_wrenches(tree: &Tree, g: &mut Graph, inertia: &[Inertia], omega: &[V3], speed: &[Id], acceleration: &[Id], gravity: V3) -> Vec<Wrench> {
+pub fn inertial_wrenches(
+    tree: &Tree,
+    g: &mut Graph,
+    inertia: &[Inertia],
+    omega: &[V3],
+    speed: &[Id],
+    acceleration: &[Id],
+    gravity: V3,
+) -> Vec<Wrench> {
     let mut alpha: Vec<V3> = Vec::with_capacity(tree.links.len());
     let mut a: Vec<V3> = Vec::with_capacity(tree.links.len());
     let mut wrenches = Vec::with_capacity(tree.links.len());
@@ -314,7 +322,9 @@ fn column_below(tree: &Tree, g: &mut Graph, link: usize, wrench: Wrench) -> Vec<
 /// A composite inertia, about the parent's origin in the parent's axes.
 fn into_parent(tree: &Tree, g: &mut Graph, k: usize, body: &Inertia) -> Inertia {
     match &tree.links[k].motion {
-        Motion::Rotate { axis, sin, cos, .. } => Inertia { m: body.m, mc: tree.into_parent(g, k, body.mc), i: rotate_tensor(g, *axis, *sin, *cos, &body.i) },
+        Motion::Rotate { axis, sin, cos, .. } => {
+            Inertia { m: body.m, mc: tree.into_parent(g, k, body.mc), i: rotate_tensor(g, *axis, *sin, *cos, &body.i) }
+        }
         Motion::Translate { offset, .. } => {
             // I' = I + m (d.d 1 - d d^T) + cross terms of d and mc
             let d = *offset;

@@ -1,33 +1,38 @@
-//! L D L^T of the mass matrix, unrolled on the graph.
+//! L D U of the mass matrix, unrolled on the graph; U = L^T unless equations written directly couple accelerations
+//! without symmetry.
 
 use crate::expr::{Graph, Id};
 
-/// Factor of a symmetric matrix: M = L D L^T with unit lower L.
+/// Factor of a matrix: M = L D U with unit triangles.
 pub struct Factor {
     /// Strictly lower part of L.
     l: Vec<Vec<Id>>,
+    /// Strictly upper part of U: for a symmetric matrix that of L^T.
+    u: Vec<Vec<Id>>,
     /// 1 / D.
     inverse_pivots: Vec<Id>,
     /// D.
     pub pivots: Vec<Id>,
 }
 
-/// Factors a symmetric matrix.
-pub fn factor(g: &mut Graph, m: &[Vec<Id>], names: &[String]) -> Factor {
+/// Factors a matrix; of a `symmetric` one only the lower triangle is read.
+pub fn factor(g: &mut Graph, m: &[Vec<Id>], names: &[String], symmetric: bool) -> Factor {
     let n = m.len();
     let zero = g.zero();
     let one = g.one();
     let mut l = vec![vec![zero; n]; n];
+    let mut u = vec![vec![zero; n]; n];
     let mut pivots = Vec::with_capacity(n);
     let mut inverse_pivots = Vec::with_capacity(n);
     g.set_scope("solve");
     for j in 0..n {
         let mut d = m[j][j];
-        let mut carried = vec![zero; n];
-        for (k, value) in carried.iter_mut().enumerate().take(j) {
-            // L_jk D_k
-            *value = g.mul(l[j][k], pivots[k]);
-            let part = g.mul(l[j][k], *value);
+        let (mut column, mut row) = (vec![zero; n], vec![zero; n]);
+        for k in 0..j {
+            // D_k U_kj and L_jk D_k: the same where U = L^T
+            column[k] = g.mul(u[k][j], pivots[k]);
+            row[k] = g.mul(l[j][k], pivots[k]);
+            let part = g.mul(l[j][k], column[k]);
             d = g.sub(d, part);
         }
         g.label(d, format!("pivot_{}", names[j]));
@@ -38,14 +43,24 @@ pub fn factor(g: &mut Graph, m: &[Vec<Id>], names: &[String]) -> Factor {
         for i in j + 1..n {
             let mut value = m[i][j];
             for k in 0..j {
-                let part = g.mul(l[i][k], carried[k]);
+                let part = g.mul(l[i][k], column[k]);
                 value = g.sub(value, part);
             }
             l[i][j] = g.mul(value, inverse);
             g.label(l[i][j], format!("l_{}_{}", names[i], names[j]));
+            u[j][i] = l[i][j];
+            if !symmetric {
+                let mut value = m[j][i];
+                for k in 0..j {
+                    let part = g.mul(row[k], u[k][i]);
+                    value = g.sub(value, part);
+                }
+                u[j][i] = g.mul(value, inverse);
+                g.label(u[j][i], format!("u_{}_{}", names[j], names[i]));
+            }
         }
     }
-    Factor { l, inverse_pivots, pivots }
+    Factor { l, u, inverse_pivots, pivots }
 }
 
 impl Factor {
@@ -64,7 +79,7 @@ impl Factor {
         }
         for i in (0..n).rev() {
             for k in i + 1..n {
-                let part = g.mul(self.l[k][i], y[k]);
+                let part = g.mul(self.u[i][k], y[k]);
                 y[i] = g.sub(y[i], part);
             }
         }

@@ -176,6 +176,7 @@ impl Checker<'_> {
             let mut d = Diagnostic::error("E0201", format!("there is no `{}` in this rig", name.text), name.span, "unknown name");
             let near = if self.diagnostics.len() > MANY { None } else { nearest(&name.text, self.scope.order.iter().map(String::as_str)) };
             d = match near {
+                _ if Unit::named(&name.text).is_some() => d.help("a compound unit after a number goes in brackets: `0.1 [m/s]`"),
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help(format!("declare it, for example `param {}: UNIT = VALUE;`", name.text)),
             };
