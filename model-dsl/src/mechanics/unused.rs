@@ -52,10 +52,10 @@ pub(super) fn check(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) {
         }
     }
     for (k, d) in c.rig.definitions.iter().enumerate() {
-        if d.parameter.is_none() && !c.used.contains(&Symbol::Definition(k)) {
-            let what = if d.is_lump { "lump" } else { "derived parameter" };
+        // a lump without a value of its own is a name for what stands in the equations: it need not be written in them
+        if d.parameter.is_none() && !d.is_lump && !c.used.contains(&Symbol::Definition(k)) {
             diagnostics.push(
-                Diagnostic::warning("W0401", format!("nothing uses the {what} `{}`", d.name), d.span, "declared here")
+                Diagnostic::warning("W0401", format!("nothing uses the derived parameter `{}`", d.name), d.span, "declared here")
                     .help("remove it, or use it"),
             );
         }
