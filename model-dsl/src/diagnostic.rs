@@ -3,6 +3,7 @@
 use crate::rig::Span;
 use crate::source::{Place, Sources};
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use std::collections::HashMap;
 
 /// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -103,9 +104,35 @@ impl Diagnostic {
     }
 }
 
+/// In the order of their places, errors first; one message for a name that is unknown in several places, none twice.
+pub fn tidy(mut all: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    all.sort_by_key(|d| (d.severity, d.labels.first().map(|(s, _)| *s)));
+    all.dedup();
+    let mut first: HashMap<(&'static str, String), usize> = HashMap::new();
+    let mut out: Vec<Diagnostic> = Vec::new();
+    for d in all {
+        if !matches!(d.code, "E0201" | "E0203") {
+            out.push(d);
+            continue;
+        }
+        match first.get(&(d.code, d.message.clone())) {
+            // two more places are shown: a misspelt name is mended in all of them by then
+            Some(&k) if out[k].labels.len() < 3 => out[k].labels.push((d.labels[0].0, "and here".to_owned())),
+            Some(_) => {}
+            None => {
+                first.insert((d.code, d.message.clone()), out.len());
+                out.push(d);
+            }
+        }
+    }
+    out
+}
+
 /// The nearest of `names` to a misspelt one, if any is near.
 pub fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let limit = (name.chars().count() / 3).max(1);
+    // one letter of two says nothing, but capitals do
+    let length = name.chars().count();
+    let limit = if length <= 2 { 0 } else { (length / 3).max(1) };
     names
         .into_iter()
         .filter(|n| *n != name)

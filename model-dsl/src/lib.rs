@@ -139,10 +139,11 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     let mut rig = None;
     match wanted {
         Some(item) => {
-            let statements = extend::flatten(&files, item, &mut diagnostics);
-            let (resolved, used) = resolve::resolve(&item.name, &item.doc, &statements, &sources, &mut diagnostics);
-            mechanics::check(&resolved, &statements, &used, &mut diagnostics);
-            rig = Some(resolved);
+            if let Some(statements) = extend::flatten(&files, item, &mut diagnostics) {
+                let (resolved, used) = resolve::resolve(&item.name, &item.doc, &statements, &sources, &mut diagnostics);
+                mechanics::check(&resolved, &statements, &used, &mut diagnostics);
+                rig = Some(resolved);
+            }
         }
         None if diagnostics.is_empty() => {
             let names: Vec<&str> = files.iter().flat_map(|f| &f.rigs).map(|r| r.name.text.as_str()).collect();
@@ -162,8 +163,7 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         rig = None;
     }
-    diagnostics.sort_by_key(|d| (d.severity, d.labels.first().map(|(s, _)| *s)));
-    diagnostics.dedup();
+    let diagnostics = diagnostic::tidy(diagnostics);
     Checked { rig, diagnostics, sources }
 }
 

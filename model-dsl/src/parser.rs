@@ -8,7 +8,6 @@ use crate::ast::{
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::rig::{BinaryOp, EnergyKind, Span};
 use crate::token::{Kind as T, Token};
-use crate::units::Unit;
 
 /// Deepest nesting of expressions.
 const DEPTH: u32 = 64;
@@ -46,6 +45,10 @@ const STATEMENTS: [&str; 26] = [
     "assume",
     "remove",
 ];
+
+/// Words that may stand behind a number; any other word there is taken for a unit.
+const AFTER_VALUES: [&str; 16] =
+    ["fixed", "in", "per", "width", "speed", "zero", "wrapped", "value", "along", "against", "about", "at", "on", "to", "of", "for"];
 
 /// Parses the tokens of one file.
 pub fn parse(tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> File {
@@ -146,8 +149,10 @@ impl Parser<'_> {
     }
 
     fn unexpected<X>(&mut self, wanted: &str) -> Parsed<X> {
-        let d = self.expected(wanted);
-        self.diagnostics.push(d);
+        if !matches!(self.peek().kind, T::Bad) {
+            let d = self.expected(wanted);
+            self.diagnostics.push(d);
+        }
         Err(Reported)
     }
 
@@ -159,6 +164,7 @@ impl Parser<'_> {
             T::Text(_) => "a text".to_owned(),
             T::Punct(c, _) => format!("`{c}`"),
             T::Doc(..) => "documentation".to_owned(),
+            T::Bad => "a character without meaning".to_owned(),
             T::End => "the end of the text".to_owned(),
         };
         // what is missing at the end of a line is missed there, not on the next line
@@ -176,7 +182,10 @@ impl Parser<'_> {
         let here = self.peek().clone();
         let before = self.previous_end();
         let end = Span { start: before.end, ..before };
-        if c == ';' && here.newline && self.at > 0 {
+        if here.kind == T::Bad {
+            return Err(Reported);
+        }
+        if c == ';' && (here.newline || matches!(here.kind, T::Punct('}', _))) && self.at > 0 {
             // the slip is where the line ends; what follows is read as if the `;` stood there
             self.diagnostics.push(Diagnostic::error("E0111", "this statement does not end with `;`", end, "expected `;` here"));
             return Ok(end);
@@ -192,7 +201,6 @@ impl Parser<'_> {
                 d.help("`=` gives a value to parameters, frames and outputs; forces, torques and functions are written with `:`")
             }
             ('=', T::Punct(':', _)) => d.help("write `=` in front of a value; `:` stands in front of a unit"),
-            (_, T::Punct('\'', _)) => d.help("rates are written `eps.dot`, accelerations `eps.ddot`"),
             (_, T::Punct('.', _)) if matches!(self.peek_at(1).kind, T::Punct('.', _)) => {
                 d.help("a range stands behind `in`, as in `in 0..4`")
             }
@@ -212,6 +220,7 @@ impl Parser<'_> {
         let next = &self.peek_at(1).kind;
         let statement = match &here.kind {
             T::Ident(word) if here.newline && word == "assume" => matches!(next, T::Punct('{', _)),
+            T::Ident(word) if here.newline && word == "gravity" => !matches!(next, T::Punct(..)),
             T::Ident(word) if here.newline && word != "inertia" && STATEMENTS.contains(&word.as_str()) => {
                 matches!(next, T::Ident(_) | T::Punct('{', _))
             }
@@ -338,6 +347,9 @@ impl Parser<'_> {
 
     fn use_item(&mut self) -> Parsed<Name> {
         let token = self.next();
+        if token.kind == T::Bad {
+            return Err(Reported);
+        }
         let T::Text(text) = token.kind else {
             self.diagnostics.push(Diagnostic::error("E0111", "expected a file name in quotes", token.span, "expected \"file.rig\" here"));
             return Err(Reported);
@@ -907,8 +919,13 @@ impl Parser<'_> {
             Some(index) => Ok(AxisExpr::Principal(index, negative)),
             None => {
                 self.diagnostics.push(
-                    Diagnostic::error("E0111", format!("`{}` is no axis", name.text), name.span, "expected an axis")
-                        .help("axes are x, y, z, -x, -y, -z or (a, b, c)"),
+                    Diagnostic::error(
+                        "E0111",
+                        format!("`{}` is no axis", name.text),
+                        name.span,
+                        if ["X", "Y", "Z"].contains(&name.text.as_str()) { "axes are written small" } else { "expected an axis" },
+                    )
+                    .help("axes are x, y, z, -x, -y, -z or (a, b, c)"),
                 );
                 Err(Reported)
             }
@@ -1210,7 +1227,9 @@ impl Parser<'_> {
                     span: token.span,
                 }))
             }
-            T::Ident(word) if !token.newline && Unit::named(&word).is_some() && !matches!(self.peek_at(1).kind, T::Punct('(' | '=', _)) => {
+            T::Ident(word)
+                if !token.newline && !AFTER_VALUES.contains(&word.as_str()) && !matches!(self.peek_at(1).kind, T::Punct('(' | '=', _)) =>
+            {
                 self.next();
                 Ok(Some(UnitExpr { text: word.clone(), factors: vec![(Name { text: word, span: token.span }, 1)], span: token.span }))
             }

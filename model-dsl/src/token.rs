@@ -16,6 +16,8 @@ pub enum Kind {
     Punct(char, bool),
     /// `/// text`, or (true) a comment behind a statement on the same line.
     Doc(String, bool),
+    /// Something that was reported by the lexer: the parser says nothing more about it.
+    Bad,
     /// End of the source.
     End,
 }
@@ -90,7 +92,8 @@ impl Lexer<'_> {
                 match self.rest().find("*/") {
                     Some(length) => self.at += length + 2,
                     None => {
-                        self.at = self.text.len();
+                        // the rest of the line is lost, so that what follows is no second error
+                        self.take_while(|c| c != '\n');
                         let span = Span { file: self.file, start: start as u32, end: start as u32 + 2 };
                         self.diagnostics.push(
                             Diagnostic::error("E0103", "this comment is never closed", span, "opened here").help("close it with `*/`"),
@@ -98,7 +101,7 @@ impl Lexer<'_> {
                     }
                 }
             } else if c.is_alphabetic() || c == '_' {
-                let word = self.take_while(|c| c.is_alphanumeric() || c == '_').to_owned();
+                let word = self.take_while(in_word).to_owned();
                 self.push(Kind::Ident(word), start);
             } else if c.is_ascii_digit() {
                 self.number();
@@ -112,11 +115,23 @@ impl Lexer<'_> {
                 self.push(Kind::Punct(c, joint), start);
             } else {
                 self.at += c.len_utf8();
+                let help = match c {
+                    '·' | '×' | '∙' | '⋅' => "a product is written with `*`",
+                    '−' | '–' | '—' => "a minus sign is `-`",
+                    '²' => "a square is written `^2`",
+                    '³' => "a cube is written `^3`",
+                    '°' => "degrees are written `5deg`",
+                    '÷' => "a quotient is written with `/`",
+                    '“' | '”' | '„' | '«' | '»' => "a text stands between `\"` and `\"`",
+                    '‘' | '’' | '′' => "rates are written `eps.dot`, accelerations `eps.ddot`",
+                    '±' => "a prior is written with `+-`",
+                    _ => "the language uses letters, digits, `_` and ASCII punctuation; any text may stand in comments",
+                };
                 let span = self.span(start);
-                self.diagnostics.push(
-                    Diagnostic::error("E0101", format!("the character `{}` has no meaning here", c.escape_debug()), span, "this character")
-                        .help("the language uses letters, digits, `_` and ASCII punctuation; text may stand in comments"),
-                );
+                let d =
+                    Diagnostic::error("E0101", format!("the character `{}` has no meaning here", c.escape_debug()), span, "this character");
+                self.diagnostics.push(d.help(help));
+                self.push(Kind::Bad, start);
             }
         }
         let end = self.text.len();
@@ -155,7 +170,7 @@ impl Lexer<'_> {
             }
         }
         let digits: String = self.text.get(start..self.at).unwrap_or("0").replace('_', "");
-        let suffix = self.take_while(|c| c.is_alphanumeric() || c == '_').to_owned();
+        let suffix = self.take_while(in_word).to_owned();
         let value = digits.parse::<f64>().unwrap_or(f64::NAN);
         if !value.is_finite() {
             let span = self.span(start);
@@ -178,9 +193,16 @@ impl Lexer<'_> {
             self.diagnostics.push(
                 Diagnostic::error("E0103", "this text is never closed", span, "opened here").help("close it with `\"` on the same line"),
             );
+            self.push(Kind::Bad, start);
+            return;
         }
         self.push(Kind::Text(text), start);
     }
+}
+
+/// Continues a name: letters, ASCII digits, `_`.
+fn in_word(c: char) -> bool {
+    c.is_alphabetic() || c.is_ascii_digit() || c == '_'
 }
 
 fn shorten(digits: &str) -> String {

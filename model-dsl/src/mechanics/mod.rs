@@ -32,12 +32,16 @@ pub fn check(rig: &Rig, statements: &[Statement], used: &BTreeSet<Symbol>, diagn
     let context = Context { rig, statements, used, numbers: Numbers::new(rig) };
     let error = |d: &Diagnostic| d.severity == Severity::Error;
     // a statement that could not be read, or a name that means nothing, may be the very thing that seems to be missing
-    let complete = !diagnostics.iter().any(|d| error(d) && (d.code < "E0200" || matches!(d.code, "E0201" | "E0202" | "E0203" | "E0207")));
+    let complete = !diagnostics.iter().any(|d| {
+        error(d) && (d.code < "E0200" || matches!(d.code, "E0104" | "E0105" | "E0201" | "E0202" | "E0203" | "E0207" | "E0208" | "E0307"))
+    });
     values::check(&context, diagnostics);
     signs::check(&context, diagnostics);
     inertia::check(&context, diagnostics);
     kinetic::check(&context, diagnostics);
-    if complete {
+    // an equation that was left out would have used its coordinate
+    let written = statements.iter().filter(|s| s.keyword == "equation").count();
+    if complete && written == rig.equations.len() {
         let unused = unused::coordinates(&context, diagnostics);
         motion::check(&context, &unused, diagnostics);
     }

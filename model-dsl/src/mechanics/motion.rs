@@ -345,8 +345,7 @@ fn jointly(c: &Context<'_>, moving: &[usize], samples: &[(Vec<Vec<f64>>, f64)], 
     if least > SINGULAR {
         return;
     }
-    let largest = vector.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let named: Vec<usize> = moving.iter().zip(&vector).filter(|(_, x)| x.abs() > 1e-4 * largest).map(|(&i, _)| i).collect();
+    let named: Vec<usize> = in_null_space(&vector).into_iter().map(|k| moving[k]).collect();
     let names: Vec<String> = named.iter().map(|&i| format!("`{}`", c.rig.coordinates[i].name)).collect();
     let list = match names.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
@@ -415,16 +414,23 @@ fn equations(c: &Context<'_>, free: &[usize], diagnostics: &mut Vec<Diagnostic>)
     if least > SINGULAR {
         return;
     }
-    let k = (0..free.len()).max_by(|&i, &j| vector[i].abs().total_cmp(&vector[j].abs())).unwrap_or(0);
-    let q = &c.rig.coordinates[free[k]];
-    let span = c.rig.equations.iter().find(|e| e.coordinate == free[k]).map_or(q.span, |e| e.span);
+    let named = in_null_space(&vector);
+    let names: Vec<String> = named.iter().map(|&k| format!("{}.ddot", c.rig.coordinates[free[k]].name)).collect();
+    let q = &c.rig.coordinates[free[named[0]]];
+    let span = c.rig.equations.iter().find(|e| e.coordinate == free[named[0]]).map_or(q.span, |e| e.span);
+    let label = if named.len() == 1 {
+        format!("with these parameters, `{}` has the coefficient 0", names[0])
+    } else {
+        format!("with these parameters, every equation has the same combination of {}", names.join(", "))
+    };
     diagnostics.push(
-        Diagnostic::error(
-            "E0304",
-            format!("the equations do not determine `{}.ddot`", q.name),
-            span,
-            format!("`{}.ddot` has no coefficient of its own with these parameters", q.name),
-        )
-        .help("the coefficients of the accelerations must make an invertible matrix: check values that are zero"),
+        Diagnostic::error("E0304", format!("the equations do not determine `{}`", names.join("`, `")), span, label)
+            .help("the coefficients of the accelerations must make an invertible matrix"),
     );
+}
+
+/// Entries that take part in a null vector.
+fn in_null_space(vector: &[f64]) -> Vec<usize> {
+    let largest = vector.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    (0..vector.len()).filter(|&k| vector[k].abs() > 1e-4 * largest).collect()
 }

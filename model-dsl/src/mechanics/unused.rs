@@ -27,8 +27,13 @@ pub(super) fn coordinates(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) ->
     for (q, _) in c.rig.coordinates.iter().zip(&unused).filter(|(_, u)| **u) {
         let step = if q.unit.text == "m" { format!("translate({}, 0, 0)", q.name) } else { format!("rotate(z, {})", q.name) };
         diagnostics.push(
-            Diagnostic::error("E0305", format!("nothing uses the coordinate `{}`", q.name), q.span, "declared here")
-                .help(format!("let a frame move with it, as in `frame NAME = ground.{step};`, or remove it")),
+            Diagnostic::error(
+                "E0305",
+                format!("nothing moves with the coordinate `{}`", q.name),
+                q.span,
+                "no frame, force or equation depends on it",
+            )
+            .help(format!("let a frame move with it, as in `frame NAME = ground.{step};`, or remove it")),
         );
     }
     unused
@@ -51,13 +56,11 @@ pub(super) fn check(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) {
             );
         }
     }
-    for (k, d) in c.rig.definitions.iter().enumerate() {
-        // a lump without a value of its own is a name for what stands in the equations: it need not be written in them
-        if d.parameter.is_none() && !d.is_lump && !c.used.contains(&Symbol::Definition(k)) {
-            diagnostics.push(
-                Diagnostic::warning("W0401", format!("nothing uses the derived parameter `{}`", d.name), d.span, "declared here")
-                    .help("remove it, or use it"),
-            );
+    // a lump may be there only to name what equations show
+    for (k, d) in c.rig.definitions.iter().enumerate().filter(|(_, d)| !d.is_lump) {
+        if !c.used.contains(&Symbol::Definition(k)) {
+            let message = format!("nothing uses the derived parameter `{}`", d.name);
+            diagnostics.push(Diagnostic::warning("W0401", message, d.span, "declared here").help("remove it, or use it"));
         }
     }
     signals(c, diagnostics);

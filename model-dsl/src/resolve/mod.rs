@@ -20,7 +20,7 @@ use crate::source::Sources;
 use crate::units::{Dimension, Unit};
 use paths::plain_output;
 use std::collections::BTreeSet;
-use terms::hole;
+use terms::{hole, names_in};
 
 /// Builds the rig from its statements; `None` where an error left a hole.
 pub fn resolve(
@@ -133,6 +133,15 @@ impl Resolver<'_> {
 
     /// A number known now: literals and arithmetic of literals.
     fn constant(&mut self, ast: &Ast, unit: &Unit, what: &str) -> Option<f64> {
+        if names_in(ast).iter().any(|n| n != "pi") {
+            // also names that mean nothing: a number is what stands here
+            let known: Vec<String> = names_in(ast).into_iter().filter(|n| self.scope.lost.contains(n)).collect();
+            if known.is_empty() {
+                let d = Diagnostic::error("E0206", format!("{what} takes a number, not an expression of names"), ast.span, "not a number");
+                self.diagnostics.push(d.help("what is computed from parameters is declared with `derived` in place of `param`"));
+            }
+            return None;
+        }
         let Quantity { expr, dimension, .. } = self.checker().check(ast, Allowed::Numbers)?;
         let Expr::Number(x) = expr else {
             self.diagnostics.push(
@@ -159,7 +168,7 @@ impl Resolver<'_> {
             self.diagnostics.push(
                 Diagnostic::error("E0202", format!("`{}` is declared twice", name.text), name.span, "again here")
                     .also(before.span, "first here")
-                    .help(format!("rename one of them; to change it in a variant write `replace .. {} ..`", name.text)),
+                    .help("rename one of them; in a variant that extends this rig, write `replace` in front"),
             );
             return;
         }

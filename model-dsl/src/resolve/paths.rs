@@ -216,7 +216,9 @@ impl Resolver<'_> {
     pub(super) fn encoder(&mut self, entry: &Entry, dimension: Dimension) -> Option<Encoder> {
         let counts = self.constant(&entry.values[0], &Unit::none(), "an encoder's counts")?;
         if counts <= 0.0 {
-            self.diagnostics.push(Diagnostic::error("E0310", "an encoder has a positive number of counts", entry.values[0].span, "here"));
+            let d =
+                Diagnostic::error("E0310", "an encoder has a positive number of counts", entry.values[0].span, format!("{counts} counts"));
+            self.diagnostics.push(d.help("write its counts per turn (or per metre), all edges counted, as in `encoder psi: 4096;`"));
             return None;
         }
         let mut out = Encoder { counts, zero: None, wrapped: false };

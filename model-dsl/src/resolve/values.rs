@@ -107,14 +107,10 @@ impl Resolver<'_> {
         let (a, b) = (a?, b?);
         if a >= b {
             let span = Span { end: hi.span.end, ..lo.span };
+            let d = Diagnostic::error("E0310", format!("{what} runs from low to high: nothing lies in this one"), span, "an empty range");
+            let swapped = self.sources.text(hi.span).zip(self.sources.text(lo.span)).filter(|_| a > b);
             self.diagnostics.push(
-                Diagnostic::error(
-                    "E0310",
-                    format!("{what} goes from the lower to the upper end, this is empty"),
-                    span,
-                    "nothing lies in here",
-                )
-                .help("write lower..upper"),
+                swapped.map_or_else(|| d.clone().help("write LOWER..UPPER"), |(lo, hi)| d.clone().help(format!("write `{lo}..{hi}`"))),
             );
             return None;
         }

@@ -1,10 +1,13 @@
 //! Expressions: names to symbols, units to SI, dimensions checked.
 
+mod explain;
+
 use crate::ast::{Expr as Ast, ExprKind, Name, UnitExpr};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::rig::{BinaryOp, Expr, Function, Span, Symbol};
 use crate::source::Sources;
-use crate::units::{Dimension, Unit};
+use crate::units::{self, Dimension, Unit};
+use explain::{hertz, unit_text};
 use std::collections::HashMap;
 
 /// After so many findings, suggestions are left out: they cost time, and nobody reads that far.
@@ -124,116 +127,6 @@ impl Checker<'_> {
         Some(quantity.expr)
     }
 
-    /// Another dimension was expected: says what each factor is, and which parameter would fit.
-    fn mismatch(&mut self, ast: &Ast, wanted: Dimension, found: Dimension, what: &str) -> Diagnostic {
-        let needs = match wanted {
-            Dimension::FORCE => "newtons".to_owned(),
-            Dimension::TORQUE => "newton metres".to_owned(),
-            Dimension::LENGTH => "metres".to_owned(),
-            Dimension::MASS => "kilograms".to_owned(),
-            Dimension::TIME => "seconds".to_owned(),
-            Dimension::POWER => "watts".to_owned(),
-            Dimension::NONE => "a plain number or an angle".to_owned(),
-            other => in_words(other),
-        };
-        let factors = self.factors(ast);
-        let label = match &factors {
-            Some(list) if list.len() > 1 => {
-                format!("{} is {}", list.iter().map(Factor::words).collect::<Vec<_>>().join(""), in_words(found))
-            }
-            _ => in_words(found),
-        };
-        if found.equal_but_for_cycles(wanted) {
-            return hertz(Diagnostic::error("E0234", format!("{what} needs {needs}, this counts cycles"), ast.span, label));
-        }
-        let mut d = Diagnostic::error("E0231", format!("{what} needs {needs}, this is {}", in_words(found)), ast.span, label);
-        if self.diagnostics.len() > MANY {
-            return d;
-        }
-        for help in self.fitting(&factors.unwrap_or_default(), wanted, found) {
-            d = d.help(help);
-        }
-        d
-    }
-
-    /// The factors of a product that have a dimension; `None` where it is no product of names and numbers.
-    fn factors(&mut self, ast: &Ast) -> Option<Vec<Factor>> {
-        let mut list = Vec::new();
-        let mut open = vec![(ast, false)];
-        while let Some((e, below)) = open.pop() {
-            match &e.kind {
-                ExprKind::Binary(BinaryOp::Mul, a, b) => open.extend([(b.as_ref(), below), (a.as_ref(), below)]),
-                ExprKind::Binary(BinaryOp::Div, a, b) => open.extend([(b.as_ref(), !below), (a.as_ref(), below)]),
-                ExprKind::Neg(a) => open.push((a, below)),
-                _ => {
-                    let (mut quiet, mut used) = (Vec::new(), std::collections::BTreeSet::new());
-                    let q = Checker { scope: self.scope, sources: self.sources, diagnostics: &mut quiet, used: &mut used }
-                        .check(e, Allowed::Everything)?;
-                    let dimension = q.dimension?;
-                    let (name, parameter) = match &e.kind {
-                        ExprKind::Name(n, suffix) => {
-                            let dotted = suffix.as_ref().map_or_else(|| n.text.clone(), |s| format!("{}.{}", n.text, s.text));
-                            (dotted, matches!(q.expr, Expr::Symbol(Symbol::Parameter(_) | Symbol::Definition(_))))
-                        }
-                        ExprKind::Number(x, _) => (format!("{x}"), false),
-                        _ if dimension == Dimension::NONE => continue,
-                        _ => return None,
-                    };
-                    if dimension != Dimension::NONE {
-                        let first = list.is_empty();
-                        list.push(Factor { name, dimension, below, parameter, first });
-                    }
-                }
-            }
-            if list.len() > 6 {
-                return None;
-            }
-        }
-        Some(list)
-    }
-
-    /// Parameters of the rig that would mend a product: in place of one of its factors, or times all of it.
-    fn fitting(&self, factors: &[Factor], wanted: Dimension, found: Dimension) -> Vec<String> {
-        let in_use = |name: &str| factors.iter().any(|f| f.name == name);
-        let find = |dimension: Dimension| {
-            self.scope.order.iter().find_map(|n| {
-                let m = self.scope.names.get(n)?;
-                let fits = m.dimension == Some(dimension) && matches!(m.symbol, Symbol::Parameter(_) | Symbol::Definition(_)) && !in_use(n);
-                fits.then_some((n, m))
-            })
-        };
-        let said = |name: &str, m: &Meaning, dimension: Dimension| {
-            let line = self.sources.place(m.span).map_or_else(String::new, |p| format!(", declared on line {}", p.line));
-            (format!("`{name}` [{dimension}]"), line, m.doc.clone())
-        };
-        let mut helps = Vec::new();
-        for f in factors.iter().filter(|f| f.parameter) {
-            let dimension = if f.below { f.dimension * found / wanted } else { f.dimension * wanted / found };
-            if dimension == Dimension::NONE {
-                continue;
-            }
-            if let Some((name, m)) = find(dimension) {
-                let (text, line, doc) = said(name, m, dimension);
-                helps.push(if doc.is_empty() {
-                    format!("{text}{line}, would fit in place of `{}`", f.name)
-                } else {
-                    format!("the {doc} of this rig is {text}{line}")
-                });
-            }
-        }
-        if factors.len() == 1 && !factors[0].parameter && found != Dimension::NONE {
-            let dimension = wanted / found;
-            if dimension != Dimension::NONE
-                && let Some((name, m)) = find(dimension)
-            {
-                let (text, line, _) = said(name, m, dimension);
-                helps.push(format!("times {text}{line}, it would be {}", in_words(wanted)));
-            }
-        }
-        helps.truncate(2);
-        helps
-    }
-
     /// An expression and its dimension.
     pub fn check(&mut self, ast: &Ast, allowed: Allowed) -> Option<Quantity> {
         match &ast.kind {
@@ -332,12 +225,14 @@ impl Checker<'_> {
     fn allowed(&mut self, symbol: Symbol, span: Span, what: &str, allowed: Allowed) -> bool {
         let ok = allowed.accepts(symbol);
         if !ok {
-            self.diagnostics.push(Diagnostic::error(
-                "E0206",
-                format!("{what} cannot stand here"),
-                span,
-                format!("this place takes {}", allowed.words()),
-            ));
+            let d = Diagnostic::error("E0206", format!("{what} cannot stand here"), span, format!("this place takes {}", allowed.words()));
+            self.diagnostics.push(match allowed {
+                Allowed::Accelerations => d.help("on the left stand accelerations, as in `I * eps.ddot = ..`; all else goes to the right"),
+                Allowed::Configuration if matches!(symbol, Symbol::Rate(_)) => {
+                    d.help("what depends on rates is friction, a torque or a dissipation function")
+                }
+                _ => d,
+            });
         }
         ok
     }
@@ -357,14 +252,8 @@ impl Checker<'_> {
                 {
                     let verb = if op == BinaryOp::Add { "added to" } else { "subtracted from" };
                     let (what, other) = if op == BinaryOp::Add { (x, y) } else { (y, x) };
-                    let mut d = Diagnostic::error(
-                        "E0232",
-                        format!("{} cannot be {verb} {}", in_words(what), in_words(other)),
-                        span,
-                        "different dimensions",
-                    )
-                    .also(a.span, in_words(x))
-                    .also(b.span, in_words(y));
+                    let message = format!("{} cannot be {verb} {}", in_words(what), in_words(other));
+                    let mut d = Diagnostic::error("E0232", message, b.span, in_words(y)).also(a.span, in_words(x));
                     d = if x.equal_but_for_cycles(y) { hertz(d) } else { d };
                     for (side, other) in [(a, y), (b, x)] {
                         if is_bare(side)
@@ -380,6 +269,7 @@ impl Checker<'_> {
             }
         };
         let bare = left.bare && right.bare;
+        let right_value = if let Expr::Number(y) = right.expr { Some(y) } else { None };
         let expr = match (&left.expr, &right.expr) {
             (Expr::Number(x), Expr::Number(y)) => Expr::Number(match op {
                 BinaryOp::Add => x + y,
@@ -389,14 +279,15 @@ impl Checker<'_> {
             }),
             _ => Expr::Binary(op, Box::new(left.expr), Box::new(right.expr)),
         };
-        self.finite(&expr, span)?;
+        let zero = op == BinaryOp::Div && right_value == Some(0.0);
+        self.finite(&expr, span, if zero { "divides by zero" } else { "overflows to infinity" })?;
         Some(Quantity { expr, dimension, bare })
     }
 
-    fn finite(&mut self, expr: &Expr, span: Span) -> Option<()> {
+    fn finite(&mut self, expr: &Expr, span: Span, why: &str) -> Option<()> {
         match expr {
             Expr::Number(x) if !x.is_finite() => {
-                self.diagnostics.push(Diagnostic::error("E0102", "this has no finite value", span, "overflows, or divides by zero"));
+                self.diagnostics.push(Diagnostic::error("E0102", "this has no finite value", span, why));
                 None
             }
             _ => Some(()),
@@ -432,19 +323,38 @@ impl Checker<'_> {
             (Expr::Number(x), Expr::Number(n)) => Expr::Number(x.powf(*n)),
             _ => Expr::Binary(BinaryOp::Pow, Box::new(base.expr), Box::new(exponent.expr)),
         };
-        self.finite(&expr, span)?;
+        self.finite(&expr, span, "overflows to infinity")?;
         Some(Quantity { expr, dimension, bare })
     }
 
     fn call(&mut self, name: &Name, args: &[Ast], span: Span, allowed: Allowed) -> Option<Quantity> {
         let Some((_, function, arity)) = FUNCTIONS.iter().find(|(n, _, _)| *n == name.text) else {
             let mut d = Diagnostic::error("E0201", format!("there is no function `{}`", name.text), name.span, "unknown function");
-            d = match nearest(&name.text, FUNCTIONS.iter().map(|(n, _, _)| *n)) {
+            let other = match name.text.to_lowercase().as_str() {
+                "sgn" | "signum" => Some("sign"),
+                "arctan" | "atn" => Some("atan"),
+                "arcsin" => Some("asin"),
+                "arccos" => Some("acos"),
+                "log" => Some("ln"),
+                "tg" => Some("tan"),
+                "sat" | "clip" | "clamp" => Some("saturate"),
+                "fabs" => Some("abs"),
+                "pow" => Some("x^y"),
+                _ => None,
+            };
+            d = match other.or_else(|| nearest(&name.text, FUNCTIONS.iter().map(|(n, _, _)| *n))) {
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help(format!("functions are {}", FUNCTIONS.iter().map(|(n, _, _)| *n).collect::<Vec<_>>().join(", "))),
             };
             self.diagnostics.push(d);
             return None;
+        };
+        let usage = match function {
+            Function::Atan2 => "atan2(y, x)".to_owned(),
+            Function::Saturate => "saturate(x, lower, upper)".to_owned(),
+            Function::DeadZone => "dead_zone(x, half_width)".to_owned(),
+            Function::Min | Function::Max => format!("{}(a, b)", name.text),
+            _ => format!("{}(x)", name.text),
         };
         if args.len() != *arity {
             let d = Diagnostic::error(
@@ -453,7 +363,7 @@ impl Checker<'_> {
                 span,
                 "here",
             );
-            self.diagnostics.push(d);
+            self.diagnostics.push(d.help(format!("write {usage}")));
             return None;
         }
         let checked: Vec<Option<Quantity>> = args.iter().map(|a| self.check(a, allowed)).collect();
@@ -502,18 +412,15 @@ impl Checker<'_> {
                 if let Some(d) = checked[0].dimension
                     && d != Dimension::NONE
                 {
-                    let mut diagnostic = Diagnostic::error(
-                        "E0233",
-                        format!("`{}` takes an angle or a plain number, this is {}", name.text, in_words(d)),
-                        args[0].span,
-                        in_words(d),
-                    );
+                    let cycles = d.equal_but_for_cycles(Dimension::NONE);
+                    let this = if cycles { "counts cycles".to_owned() } else { format!("is {}", in_words(d)) };
+                    let message = format!("`{}` takes an angle or a plain number, this {this}", name.text);
+                    let mut diagnostic = Diagnostic::error(if cycles { "E0234" } else { "E0233" }, message, args[0].span, in_words(d));
                     if d == Dimension::NONE / Dimension::TIME {
                         diagnostic = diagnostic.help("a rate times time is an angle: multiply by `t`");
                     } else if d == Dimension::TIME {
                         diagnostic = diagnostic.help("multiply by a rate, as in `2 [rad/s] * t`");
-                    } else if d.equal_but_for_cycles(Dimension::NONE) {
-                        diagnostic.code = "E0234";
+                    } else if cycles {
                         diagnostic = hertz(diagnostic);
                     }
                     self.diagnostics.push(diagnostic);
@@ -542,7 +449,8 @@ impl Checker<'_> {
                     );
                     return None;
                 }
-                if let Some(near) = nearest(&name.text, known) {
+                let near = units::meant(&name.text).or_else(|| nearest(&name.text, known).map(str::to_owned));
+                if let Some(near) = near {
                     d = d.help(format!("did you mean `{near}`?"));
                 }
                 self.diagnostics.push(d.help("units are m, kg, s, A, K, rad, deg, turn, rpm, Hz, N, J, W, V, ohm and others, with SI prefixes; `1` is a plain number"));
@@ -578,40 +486,9 @@ pub const FUNCTIONS: [(&str, Function, usize); 19] = [
     ("dead_zone", Function::DeadZone, 2),
 ];
 
-/// A factor of a product, for messages.
-struct Factor {
-    name: String,
-    dimension: Dimension,
-    below: bool,
-    parameter: bool,
-    first: bool,
-}
-
-impl Factor {
-    fn words(&self) -> String {
-        let joint = match (self.first, self.below) {
-            (true, false) => "",
-            (true, true) => "1 over ",
-            (false, false) => " times ",
-            (false, true) => " over ",
-        };
-        format!("{joint}{} [{}]", self.name, self.dimension)
-    }
-}
-
-/// A unit to write, in a message.
-fn unit_text(d: Dimension) -> String {
-    let text = d.to_string();
-    if text.contains([' ', '/', '^']) { format!("[{}]", text.replace(' ', "*")) } else { text }
-}
-
 /// A dimension in a sentence.
 pub fn in_words(d: Dimension) -> String {
     d.to_string()
-}
-
-fn hertz(d: Diagnostic) -> Diagnostic {
-    d.help("1 Hz is one cycle per second, 2 pi rad/s: write `rad/s`, or multiply by `2 * pi / 1 cycle`")
 }
 
 /// Numbers without unit only: takes the unit of its place.
