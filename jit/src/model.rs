@@ -180,7 +180,8 @@ impl Model for InProcess {
     fn pivots(&self, t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
         let e = &self.equations;
         let mut values = vec![0.0; e.pivots.len()];
-        self.pivots.get_or_init(|| self.program(&e.pivots)).run(Arguments { t, x, u: &[], p, a: &[] }, &mut values);
+        let program = self.pivots.get_or_init(|| self.program([&e.pivots, &[], &[]], &[]));
+        never_singular(program.run(Arguments { t, x, u: &[], p }, [&mut values, &mut [], &mut []]));
         d.fill(f64::INFINITY);
         e.free.iter().zip(values).for_each(|(&k, value)| d[k] = value);
         true

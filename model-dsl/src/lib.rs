@@ -229,7 +229,7 @@ pub fn parse_unit(text: &str) -> Result<units::Unit, String> {
     let parsed = parser::parse_unit(&tokens, &mut diagnostics);
     let scope = quantity::Scope::default();
     let mut used = std::collections::BTreeSet::new();
-    let sources = Sources::default();
+    let sources = Sources { files: vec![("unit".to_owned(), text.to_owned())] };
     let unit = parsed
         .as_ref()
         .and_then(|u| quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.unit(u));

@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn tokens_of_a_macro_are_those_of_the_text() {
-        for folder in ["../examples/rigs", "../tests/rigs/pass"] {
+        for folder in ["../examples/rigs", "../tests/rigs/statements", "../tests/rigs/pass"] {
             for entry in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).expect("rigs").flatten() {
                 let Ok(text) = std::fs::read_to_string(entry.path()) else { continue };
                 let stream: TokenStream = text.parse().expect("Rust's lexer takes it");

@@ -34,7 +34,7 @@ fn shown(rig: &model_dsl::rig::Rig) -> String {
 fn a_macro_gives_the_rig_of_the_text() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut seen = 0;
-    for folder in ["examples/rigs", "tests/rigs/pass"].map(|f| root.join(f)) {
+    for folder in ["examples/rigs", "tests/rigs/statements", "tests/rigs/pass"].map(|f| root.join(f)) {
         for entry in std::fs::read_dir(&folder).expect("the rigs").flatten() {
             let Ok(text) = std::fs::read_to_string(entry.path()) else { continue };
             let name = entry.file_name().to_string_lossy().into_owned();

@@ -2,6 +2,8 @@
 
 mod check;
 mod compare;
+mod demo;
+mod diff;
 mod eval;
 mod export;
 mod generate;
@@ -19,10 +21,11 @@ use codegen::{CrossCheck, Equations};
 /// Runs what was asked for.
 pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
     match arguments.command {
-        Command::Diff(_) | Command::Demo(_) => Err(Failure::new("X", "x")),
         Command::Check(a) => check::run(&a),
         Command::Show(a) => show::run(&a),
         Command::Eval(a) => eval::run(&a),
+        Command::Diff(a) => diff::run(&a),
+        Command::Demo(a) => demo::run(&a),
         Command::Generate(a) => generate::run(&a),
         Command::Export(a) => export::run(&a),
         Command::Trim(a) => trim::run(&a),

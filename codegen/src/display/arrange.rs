@@ -177,9 +177,7 @@ fn coefficient(forms: &mut Forms, knowledge: &Knowledge, c: &Sum, with: &Monomia
 
 /// The first of two ways of writing if it is shorter than `bonus` times the other one.
 fn shorter(forms: &mut Forms, knowledge: &Knowledge, one: Vec<Term>, other: Vec<Term>, bonus: f64) -> Vec<Term> {
-    let mut length = |terms: &[Term]| {
-        text(&Tree::sum(trees(forms, knowledge, terms))).len() as f64
-    };
+    let mut length = |terms: &[Term]| text(&Tree::sum(trees(forms, knowledge, terms))).len() as f64;
     if length(&one) <= bonus * length(&other) { one } else { other }
 }
 
@@ -286,8 +284,8 @@ fn atom_tree(forms: &mut Forms, knowledge: &Knowledge, atom: AtomId) -> Tree {
     }
 }
 
-/// An argument of a function.
-fn argument(forms: &mut Forms, knowledge: &Knowledge, sum: &Sum) -> Tree {
+/// By itself, as an argument of a function or an output: what moves stands before constants.
+pub fn argument(forms: &mut Forms, knowledge: &Knowledge, sum: &Sum) -> Tree {
     let short = shortened(forms, knowledge, sum);
     let whole = written(forms, knowledge, sum);
     if matches!(whole, Tree::Sum(_)) { bracketed(forms, knowledge, &short) } else { whole }

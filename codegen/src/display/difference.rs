@@ -188,7 +188,13 @@ fn quantities(first: (&Rig, &Equations), second: (&Rig, &Equations)) -> Vec<Quan
     for (k, r) in rows.iter().enumerate() {
         for s in rows.iter().skip(if half { k } else { 0 }) {
             let (a, b) = (entry(first.1, r.1, s.1), entry(second.1, r.2, s.2));
-            out.push(Quantity { kind: Kind::MassMatrix, name: format!("M[{}, {}]", r.0, s.0), units: [String::new(), String::new()], first: a, second: b });
+            out.push(Quantity {
+                kind: Kind::MassMatrix,
+                name: format!("M[{}, {}]", r.0, s.0),
+                units: [String::new(), String::new()],
+                first: a,
+                second: b,
+            });
         }
     }
     type Rows = Box<dyn Fn(&Equations, usize) -> Vec<Id>>;
@@ -574,8 +580,13 @@ const WIDTH: usize = 110;
 
 impl fmt::Display for Diff {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all: Vec<(char, &DiffTerm)> =
-            self.removed.iter().map(|t| ('-', t)).chain(self.changed.iter().map(|t| ('~', t))).chain(self.added.iter().map(|t| ('+', t))).collect();
+        let all: Vec<(char, &DiffTerm)> = self
+            .removed
+            .iter()
+            .map(|t| ('-', t))
+            .chain(self.changed.iter().map(|t| ('~', t)))
+            .chain(self.added.iter().map(|t| ('+', t)))
+            .collect();
         if all.is_empty() {
             writeln!(f, "the equations are the same")?;
         }
@@ -589,7 +600,7 @@ impl fmt::Display for Diff {
                 let largest = of_kind.iter().max_by(|a, b| a.1.magnitude.0.total_cmp(&b.1.magnitude.0).then(b.1.term.cmp(&a.1.term)));
                 if let Some((_, t)) = largest {
                     writeln!(f, "  - all {} terms dropped; the largest, in {}:", of_kind.len(), row_of(t))?;
-                    folded(f, "      ", &format!("{}  ({})", t.term, t.size))?;
+                    folded(f, "      ", &t.term, &t.size)?;
                 }
                 continue;
             }
@@ -602,10 +613,10 @@ impl fmt::Display for Diff {
                 };
                 match t.term.split_once(" -> ") {
                     Some((old, new)) if sign == '~' => {
-                        folded(f, &format!("  ~ {place}  was  "), old)?;
-                        folded(f, &format!("    {}  is   ", " ".repeat(place.chars().count())), &format!("{new}  ({})", t.size))?;
+                        folded(f, &format!("  ~ {place}  was  "), old, "")?;
+                        folded(f, &format!("    {}  is   ", " ".repeat(place.chars().count())), new, &t.size)?;
                     }
-                    _ => folded(f, &format!("  {sign} {place}  {verb}"), &format!("{}  ({})", t.term, t.size))?,
+                    _ => folded(f, &format!("  {sign} {place}  {verb}"), &t.term, &t.size)?,
                 }
             }
         }
@@ -618,39 +629,43 @@ impl fmt::Display for Diff {
             writeln!(f, "sizes at {}", self.at)?;
         }
         if !self.values.is_empty() {
-            folded(f, "other values: ", &self.values.join(", "))?;
+            folded(f, "other values: ", &self.values.join(", "), "")?;
         }
         Ok(())
     }
 }
 
-/// A line, continued below its beginning where it is too long.
-fn folded(f: &mut fmt::Formatter<'_>, start: &str, text: &str) -> fmt::Result {
+/// A line, continued below its beginning where it is too long: before a sign outside of brackets, or before the note.
+fn folded(f: &mut fmt::Formatter<'_>, start: &str, text: &str, note: &str) -> fmt::Result {
     let indent = start.chars().count();
+    let mut pieces: Vec<String> = Vec::new();
+    let mut depth = 0_i32;
+    for word in text.split(' ') {
+        let new = depth == 0 && matches!(word, "+" | "-") || pieces.last().is_some_and(|p| p.ends_with(','));
+        match pieces.last_mut() {
+            Some(last) if !new && !matches!(last.as_str(), "") => {
+                last.push(' ');
+                last.push_str(word);
+            }
+            _ => pieces.push(word.to_owned()),
+        }
+        depth += word.chars().map(|c| i32::from(c == '(') - i32::from(c == ')')).sum::<i32>();
+    }
+    if !note.is_empty() {
+        pieces.push(format!(" ({note})"));
+    }
     write!(f, "{start}")?;
     let mut column = indent;
-    // a line may break before a sign, a comment in brackets or after a comma
-    let mut words = text.split(' ').peekable();
-    let mut piece = String::new();
-    while let Some(word) = words.next() {
-        if !piece.is_empty() {
-            piece.push(' ');
+    for (i, piece) in pieces.iter().enumerate() {
+        let length = piece.chars().count() + 1;
+        if i > 0 && column + length > WIDTH {
+            write!(f, "\n{}", " ".repeat(indent))?;
+            column = indent;
+        } else if i > 0 {
+            write!(f, " ")?;
         }
-        piece.push_str(word);
-        let breaks = words.peek().is_none_or(|next| matches!(*next, "+" | "-" | "") || word.ends_with(','));
-        if breaks {
-            let length = piece.chars().count() + 1;
-            if column > indent && column + length > WIDTH {
-                write!(f, "\n{}", " ".repeat(indent))?;
-                column = indent;
-                piece = piece.trim_start().to_owned();
-            } else if column > indent {
-                write!(f, " ")?;
-            }
-            write!(f, "{piece}")?;
-            column += length;
-            piece.clear();
-        }
+        write!(f, "{}", if column == indent { piece.trim_start() } else { piece })?;
+        column += length;
     }
     writeln!(f)
 }

@@ -1,7 +1,7 @@
 //! All equations of one rig as written expressions, entry by entry; what a screen, a LaTeX fragment and the
 //! JSON of `show` are put together from.
 
-use super::arrange::{Knowledge, written};
+use super::arrange::{Knowledge, argument, written};
 use super::form::{Atom, AtomId, Class, Forms, Sum};
 use super::number::Number;
 use super::read::{Reader, lump_atom, register};
@@ -80,7 +80,9 @@ pub fn entries(rig: &Rig, e: &Equations) -> Entries {
             (name, written(&mut forms, &knowledge, &part.value))
         })
         .collect();
-    let trees: Vec<Tree> = sums.iter().map(|s| written(&mut forms, &knowledge, s)).collect();
+    let inner = sums.len() - e.outputs.len();
+    let mut trees: Vec<Tree> = sums[..inner].iter().map(|s| written(&mut forms, &knowledge, s)).collect();
+    trees.extend(sums[inner..].iter().map(|s| argument(&mut forms, &knowledge, s)));
     let mut rest = trees.into_iter();
     let mut take = |k: usize| rest.by_ref().take(k).collect::<Vec<Tree>>();
     let mut square = |columns: usize| (0..n).map(|_| take(columns)).collect::<Vec<_>>();
@@ -92,19 +94,7 @@ pub fn entries(rig: &Rig, e: &Equations) -> Entries {
     let (lag_rates, outputs) = (take(e.lag_rates.len()), take(e.outputs.len()));
     let bias =
         (0..n).map(|i| Tree::sum(vec![(false, coriolis[i].clone()), (false, gravity[i].clone()), (false, springs[i].clone())])).collect();
-    Entries {
-        mass_matrix,
-        coriolis,
-        gravity,
-        springs,
-        bias,
-        dissipation,
-        force,
-        input_map,
-        lag_rates,
-        outputs,
-        parts,
-    }
+    Entries { mass_matrix, coriolis, gravity, springs, bias, dissipation, force, input_map, lag_rates, outputs, parts }
 }
 
 /// Forms of all roots, those that grow too long over named parts.

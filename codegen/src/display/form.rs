@@ -242,6 +242,7 @@ impl Sum {
     }
 }
 
+#[derive(Clone)]
 /// Names and atoms, and how much work may still be spent.
 pub struct Forms {
     names: IndexSet<(String, Class), FxBuildHasher>,

@@ -16,6 +16,9 @@ mod shorten;
 mod text;
 mod tree;
 
+#[cfg(test)]
+mod tests;
+
 pub use difference::{Diff, DiffTerm, diff};
 
 use crate::equations::Equations;

@@ -176,7 +176,11 @@ impl<'a> Reader<'a> {
         // the root of a sum of squares under a spring or damper is its length
         let scope = self.graph.scope_of(id).to_owned();
         let connects = self.rig.springs.iter().any(|s| s.name == scope) || self.rig.dampers.iter().any(|d| d.name == scope);
-        let base = if connects && matches!(self.graph.node(id), Node::Call(F1::Sqrt, _)) { format!("length_{scope}") } else { format!("{scope}_1") };
+        let base = if connects && matches!(self.graph.node(id), Node::Call(F1::Sqrt, _)) {
+            format!("length_{scope}")
+        } else {
+            format!("{scope}_1")
+        };
         let part = self.part(forms, &base, Sum::atom(atom));
         self.named_calls.insert(atom, part);
         Sum::atom(part)

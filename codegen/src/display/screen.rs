@@ -93,6 +93,7 @@ fn wrapped(out: &mut String, indent: &str, width: usize, line: &Line) {
     out.push_str(&start);
     let hanging = start.chars().count();
     let mut column = hanging;
+    let pieces: Vec<(usize, String)> = pieces.into_iter().flat_map(|p| cut(p, WIDTH - hanging)).collect();
     for (i, (depth, piece)) in pieces.iter().enumerate() {
         if i > 0 {
             if column + piece.chars().count() + 1 > WIDTH {
@@ -107,6 +108,26 @@ fn wrapped(out: &mut String, indent: &str, width: usize, line: &Line) {
         out.push_str(piece);
     }
     out.push('\n');
+}
+
+/// A piece that is still too long for a line, cut before signs wherever they stand.
+fn cut(piece: (usize, String), longest: usize) -> Vec<(usize, String)> {
+    if piece.1.chars().count() <= longest {
+        return vec![piece];
+    }
+    let mut out: Vec<(usize, String)> = vec![(piece.0, String::new())];
+    for (i, word) in piece.1.split(' ').enumerate() {
+        if i > 0 && matches!(word, "+" | "-") && !out.last().is_none_or(|p| p.1.is_empty()) {
+            out.push((1, String::new()));
+        }
+        if let Some(last) = out.last_mut() {
+            if !last.1.is_empty() {
+                last.1.push(' ');
+            }
+            last.1.push_str(word);
+        }
+    }
+    out
 }
 
 /// How a printer writes a term and its brackets across lines.

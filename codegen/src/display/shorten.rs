@@ -374,7 +374,9 @@ pub fn as_factor(forms: &mut Forms, sum: &Sum) -> Option<Known> {
 
 fn is_variable(forms: &Forms, atom: AtomId) -> bool {
     match forms.atom(atom) {
-        Atom::Name(i) => matches!(forms.name(*i).1, Class::Part | Class::Coordinate | Class::Rate | Class::Lag | Class::Signal | Class::Acceleration),
+        Atom::Name(i) => {
+            matches!(forms.name(*i).1, Class::Part | Class::Coordinate | Class::Rate | Class::Lag | Class::Signal | Class::Acceleration)
+        }
         _ => false,
     }
 }

@@ -1,5 +1,5 @@
 //! Hand-written models with exact derivatives, for the tests of trajectories.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::too_many_arguments)]
 
 use runtime::{Dimensions, InputPath, Model, Names, OutputPath, Singular};
 
