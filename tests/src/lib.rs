@@ -1,6 +1,9 @@
 //! Shared pieces of the cross-crate checks: where things lie, repeatable random numbers, random rigs.
 
+pub mod calls;
 pub mod close;
+#[rustfmt::skip]
+pub mod named;
 pub mod random;
 pub mod random_rig;
 

@@ -81,7 +81,7 @@ fn apply_one(rig: &Rig, lowering: &Lowering, g: &mut Graph, tree: &Tree, parts: 
             let rest = vec![[zero; 3]; tree.links.len()];
             let fall = stored::free_fall(rig, lowering, g);
             let wrenches = inertial_wrenches(tree, g, &inertia, &rest, &still, &still, fall);
-            let kept = project(tree, g, &wrenches);
+            let kept = project(tree, g, &wrenches, "_kept");
             for i in chosen(rows) {
                 parts.gravity[i] = kept[i];
             }
