@@ -1,7 +1,10 @@
 //! Shared pieces of the cross-crate checks: where things lie, repeatable random numbers, random rigs.
 
 pub mod bench_rig;
+pub mod calls;
 pub mod close;
+#[rustfmt::skip]
+pub mod named;
 pub mod random;
 pub mod random_rig;
 pub mod trims;

@@ -24,7 +24,7 @@ pub fn complete(
     let free: Vec<usize> = (0..n).filter(|&i| !rig.coordinates[i].prescribed).collect();
     let names: Vec<String> = free.iter().map(|&i| rig.coordinates[i].name.clone()).collect();
 
-    for (what, values) in [("h", &parts.bias), ("g", &parts.gravity), ("d", &parts.dissipation), ("Q", &parts.force)] {
+    for (what, values) in [("g", &parts.gravity), ("h", &parts.bias), ("d", &parts.dissipation), ("Q", &parts.force)] {
         for (c, &value) in rig.coordinates.iter().zip(values) {
             g.label(value, format!("{what}_{}", c.name));
         }

@@ -29,6 +29,7 @@ pub enum Vector {
 
 impl Vector {
     /// The letter that it has in equations.
+    #[must_use]
     pub fn letter(self) -> &'static str {
         match self {
             Self::Time => "t",
@@ -44,6 +45,7 @@ impl Vector {
     }
 
     /// The vector in which a symbol stands.
+    #[must_use]
     pub fn of(kind: SymbolKind) -> Self {
         match kind {
             SymbolKind::Coordinate(_) => Self::Coordinates,
@@ -57,6 +59,7 @@ impl Vector {
     }
 
     /// One of the parts of the state.
+    #[must_use]
     pub fn is_part_of_state(self) -> bool {
         matches!(self, Self::Coordinates | Self::Rates | Self::Lags)
     }
@@ -110,11 +113,12 @@ pub struct Function {
 
 impl Function {
     /// Some row over the parameters has zeros and other entries.
-    pub fn has_sparse_rows(&self, graph: &Graph) -> bool {
+    pub(super) fn has_sparse_rows(&self, graph: &Graph) -> bool {
         self.outputs.iter().any(|o| o.has_sparse_rows(graph))
     }
 
     /// All roots: results, then pivots.
+    #[must_use]
     pub fn roots(&self) -> Vec<Id> {
         let results = self.outputs.iter().flat_map(|o| o.roots.iter().copied());
         results.chain(self.pivots.iter().flatten().map(|p| p.1)).collect()
@@ -132,7 +136,8 @@ impl Output {
     }
 }
 
-/// All functions of a model, in the order in which they are written.
+/// All functions of a model, in the order in which they are written: what [`super::rust`] and [`super::c`] print.
+#[must_use]
 pub fn functions(e: &Equations) -> Vec<Function> {
     let l = &e.layout;
     let (n, m) = (l.q.len(), l.u.len());

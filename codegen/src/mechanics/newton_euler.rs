@@ -196,15 +196,16 @@ impl Swing {
     }
 }
 
-/// Generalized forces of wrenches on the links: projection onto the joints on the way to ground.
-pub fn project(tree: &Tree, g: &mut Graph, wrenches: &[Wrench]) -> Vec<Id> {
+/// Generalized forces of wrenches on the links: projection onto the joints on the way to ground. Forces
+/// and moments on the links are labelled `f_` and `n_`, then `whose`.
+pub fn project(tree: &Tree, g: &mut Graph, wrenches: &[Wrench], whose: &str) -> Vec<Id> {
     let mut total = wrenches.to_vec();
     let mut tau = vec![g.zero(); tree.coordinates];
     for (k, link) in tree.links.iter().enumerate().rev() {
         g.set_scope(link.name.clone());
         let Wrench { f, n } = total[k];
-        label3(g, f, "f", &link.name);
-        label3(g, n, "n", &link.name);
+        label3(g, f, &format!("f{whose}"), &link.name);
+        label3(g, n, &format!("n{whose}"), &link.name);
         let to_parent = match &link.motion {
             Motion::Rotate { axis, drives, .. } => {
                 let along = project_axis(g, *axis, n);
