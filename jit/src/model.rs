@@ -19,12 +19,13 @@ pub struct InProcess {
     outputs: OnceLock<Program>,
     output_jacobian: OnceLock<Program>,
     paths: OnceLock<Program>,
+    pivots: OnceLock<Program>,
 }
 
 struct Labels {
     rig: String,
     states: Vec<String>,
-    signals: Vec<String>,
+    signals: Vec<(String, String)>,
     parameters: Vec<(String, String)>,
     outputs: Vec<(String, String)>,
 }
@@ -37,7 +38,10 @@ impl Names for Labels {
         &self.states[i]
     }
     fn signal(&self, i: usize) -> &str {
-        &self.signals[i]
+        &self.signals[i].0
+    }
+    fn signal_unit(&self, i: usize) -> &str {
+        &self.signals[i].1
     }
     fn parameter(&self, i: usize) -> &str {
         &self.parameters[i].0
@@ -67,7 +71,7 @@ impl InProcess {
         let names = Labels {
             rig: layout.rig.clone(),
             states: layout.x().map(|v| v.name.clone()).collect(),
-            signals: layout.u.iter().map(|v| v.name.clone()).collect(),
+            signals: layout.u.iter().map(|v| (v.name.clone(), v.unit.clone())).collect(),
             parameters: layout.p.iter().map(|v| (v.name.clone(), v.unit.clone())).collect(),
             outputs: layout.outputs.iter().map(|v| (v.name.clone(), v.unit.clone())).collect(),
         };
@@ -82,6 +86,7 @@ impl InProcess {
             outputs: OnceLock::new(),
             output_jacobian: OnceLock::new(),
             paths: OnceLock::new(),
+            pivots: OnceLock::new(),
         }
     }
 
@@ -104,15 +109,15 @@ impl InProcess {
 
     fn linear_program(&self, linear: &codegen::Linear) -> Program {
         let e = &self.equations;
-        self.program([&e.state_derivative(), &linear.a.concat(), &linear.b.concat()], &self.pivots())
+        self.program([&e.state_derivative(), &linear.a.concat(), &linear.b.concat()], &self.eliminated())
     }
 
     /// Pivots in the order in which the first that fails is at fault.
-    fn pivots(&self) -> Vec<Id> {
+    fn eliminated(&self) -> Vec<Id> {
         self.equations.pivots_as_eliminated().into_iter().map(|(_, pivot)| pivot).collect()
     }
 
-    /// The coordinate of the pivot at this place of [`InProcess::pivots`].
+    /// The coordinate of the pivot at this place of [`InProcess::eliminated`].
     fn singular(&self, pivot: usize) -> Singular {
         let free = &self.equations.free;
         Singular { coordinate: free[free.len() - 1 - pivot] }
@@ -163,7 +168,7 @@ impl Model for InProcess {
 
     fn rhs(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
         let e = &self.equations;
-        let program = self.rhs.get_or_init(|| self.program([&e.state_derivative(), &[], &[]], &self.pivots()));
+        let program = self.rhs.get_or_init(|| self.program([&e.state_derivative(), &[], &[]], &self.eliminated()));
         program.run(Arguments { t, x, u, p }, [dx, &mut [], &mut []]).map_err(|k| self.singular(k))
     }
 
@@ -174,8 +179,18 @@ impl Model for InProcess {
 
     fn parameter_jacobian(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dfdp: &mut [f64]) -> Result<(), Singular> {
         let e = &self.equations;
-        let program = self.parameters.get_or_init(|| self.program([&e.parameter_jacobian.concat(), &[], &[]], &self.pivots()));
+        let program = self.parameters.get_or_init(|| self.program([&e.parameter_jacobian.concat(), &[], &[]], &self.eliminated()));
         program.run(Arguments { t, x, u, p }, [dfdp, &mut [], &mut []]).map_err(|k| self.singular(k))
+    }
+
+    fn pivots(&self, t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let e = &self.equations;
+        let mut values = vec![0.0; e.pivots.len()];
+        let program = self.pivots.get_or_init(|| self.program([&e.pivots, &[], &[]], &[]));
+        never_singular(program.run(Arguments { t, x, u: &[], p }, [&mut values, &mut [], &mut []]));
+        d.fill(f64::INFINITY);
+        e.free.iter().zip(values).for_each(|(&k, value)| d[k] = value);
+        true
     }
 
     fn outputs(&self, t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
