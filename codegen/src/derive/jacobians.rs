@@ -1,4 +1,4 @@
-//! Forward dynamics by L D L^T, and every Jacobian by the implicit formula
+//! Forward dynamics by L^T D L, and every Jacobian by the implicit formula
 //! d a / d x = -M^-1 d(ID)/dx, ID = M a + bias + dissipation - Q, reusing the factor.
 
 use super::parts::Parts;

@@ -241,7 +241,7 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         let output = Output { name: "y", doc: "y".into(), shape: Shape::Named(Vector::Outputs), roots: e.outputs.clone(), rows: Vec::new() };
         simple("outputs", vec!["Measured outputs y(x), with scale and bias, without delay and quantization.".into()], &[State, Parameters], output);
     }
-    let pivots: Vec<(usize, Id)> = e.free.iter().copied().zip(e.pivots.iter().copied()).filter(|(_, d)| e.graph.number_of(*d).is_none_or(|x| x <= 0.0)).collect();
+    let pivots: Vec<(usize, Id)> = e.pivots_as_eliminated().into_iter().filter(|(_, d)| e.graph.number_of(*d).is_none_or(|x| x <= 0.0)).collect();
     let dynamics = arguments(e, &[State, Inputs, Parameters], &e.state_derivative());
     list.push(Function {
         name: "forward_dynamics".into(),
