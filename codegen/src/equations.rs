@@ -67,6 +67,8 @@ pub struct Equations {
     pub output_paths: Vec<(Id, f64, bool)>,
     /// Assumptions in words, in the order in which they were applied.
     pub assumptions: Vec<String>,
+    /// What the scopes of the graph are about, in words, for comments: (scope, words).
+    pub scopes: Vec<(String, String)>,
     /// How the two roads compared.
     pub cross_check: CrossCheck,
     /// Fingerprint of the model (16 hex digits): equal for equal equations, names and values.

@@ -26,8 +26,6 @@ pub struct LinearModel {
 pub enum LinearizeError {
     /// The mass matrix is singular here.
     Singular(Singular),
-    /// The change of inputs cannot be undone.
-    Mix,
     /// An entry is not finite.
     NotFinite,
 }
@@ -36,7 +34,6 @@ impl fmt::Display for LinearizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Singular(s) => write!(f, "the mass matrix is singular in coordinate {}", s.coordinate),
-            Self::Mix => f.write_str("the change of inputs cannot be undone"),
             Self::NotFinite => f.write_str("an entry of the linear model is not finite"),
         }
     }
@@ -44,8 +41,9 @@ impl fmt::Display for LinearizeError {
 
 impl std::error::Error for LinearizeError {}
 
-/// Linear model at a point. `slope` computes x', A, B; `inputs` are rows over the model's signals: new input i is
-/// `inputs[i]` . u, and B is taken along the new inputs (the other signals held; for a full mix B T^-1).
+/// Linear model at a point. `slope` computes x', A, B over all signals; `directions` (signals x inputs) says how the
+/// signals move with each input of the linear model: the identity for the rig's own inputs, the columns of the
+/// inverse for mixed ones (so that the other mixed inputs are held).
 ///
 /// # Errors
 /// [`LinearizeError`], one variant a cause.
@@ -53,7 +51,7 @@ pub fn linearize(
     model: &dyn Model,
     p: &[f64],
     x: &[f64],
-    inputs: &DMatrix<f64>,
+    directions: &DMatrix<f64>,
     slope: impl FnOnce(&mut [f64], &mut [f64], &mut [f64]) -> Result<(), Singular>,
 ) -> Result<LinearModel, LinearizeError> {
     let d = model.dimensions();
@@ -62,11 +60,6 @@ pub fn linearize(
     slope(&mut dx, &mut a, &mut b).map_err(LinearizeError::Singular)?;
     let a = DMatrix::from_row_slice(states, states, &a);
     let b = DMatrix::from_row_slice(states, signals, &b);
-    // directions in u that move one new input at a time: the pseudo-inverse of the rows
-    let directions = inputs.clone().pseudo_inverse(1e-12).map_err(|_| LinearizeError::Mix)?;
-    if (inputs * &directions - DMatrix::identity(inputs.nrows(), inputs.nrows())).amax() > 1e-9 {
-        return Err(LinearizeError::Mix);
-    }
     let mut c = vec![0.0; d.outputs * states];
     let mut dhdp = vec![0.0; d.outputs * d.parameters];
     model.output_jacobian(0.0, x, p, &mut c, &mut dhdp);
@@ -74,7 +67,7 @@ pub fn linearize(
     if a.iter().chain(b.iter()).chain(c.iter()).chain(&dx).any(|v| !v.is_finite()) {
         return Err(LinearizeError::NotFinite);
     }
-    Ok(LinearModel { drift: dx, poles: poles(&a), b: &b * directions, d: DMatrix::zeros(d.outputs, inputs.nrows()), a, c })
+    Ok(LinearModel { drift: dx, poles: poles(&a), b: &b * directions, d: DMatrix::zeros(d.outputs, directions.ncols()), a, c })
 }
 
 /// Eigenvalues, by real part, then by imaginary part.

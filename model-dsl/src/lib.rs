@@ -8,6 +8,7 @@
 mod ast;
 mod diagnostic;
 mod extend;
+mod mechanics;
 mod parser;
 mod quantity;
 mod resolve;
@@ -20,6 +21,9 @@ pub use diagnostic::{CATALOGUE, Diagnostic, Severity, nearest};
 pub use source::{FileLoader, Loader, NoFiles, Place, Sources};
 
 use rig::Rig;
+
+/// Deepest chain of files: links in a file system can make circles that names do not show.
+const DEEPEST: usize = 64;
 
 /// Choices of a check.
 #[derive(Clone, Debug, Default)]
@@ -85,6 +89,10 @@ fn read(
     if sources.files.iter().any(|(n, _)| n == name) {
         return;
     }
+    if chain.len() >= DEEPEST {
+        diagnostics.push(Diagnostic::error("E0105", format!("files use each other more than {DEEPEST} deep"), place, "used here"));
+        return;
+    }
     let bytes = match loader.load(name) {
         Ok(bytes) => bytes,
         Err(why) => {
@@ -99,7 +107,8 @@ fn read(
             let at = e.utf8_error().valid_up_to();
             let text = String::from_utf8_lossy(e.as_bytes()).into_owned();
             sources.files.push((name.to_owned(), text));
-            let span = rig::Span { file, start: at as u32, end: at as u32 + 1 };
+            // the first broken byte became one replacement character
+            let span = rig::Span { file, start: at as u32, end: (at + char::REPLACEMENT_CHARACTER.len_utf8()) as u32 };
             diagnostics.push(
                 Diagnostic::error("E0104", format!("`{name}` is not UTF-8 text"), span, "from here on").help("save the file as UTF-8"),
             );
@@ -130,9 +139,11 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     let mut rig = None;
     match wanted {
         Some(item) => {
-            let statements = extend::flatten(&files, item, &mut diagnostics);
-            let (resolved, _used) = resolve::resolve(&item.name, &item.doc, &statements, &mut diagnostics);
-            rig = Some(resolved);
+            if let Some(statements) = extend::flatten(&files, item, &mut diagnostics) {
+                let (resolved, used) = resolve::resolve(&item.name, &item.doc, &statements, &sources, &mut diagnostics);
+                mechanics::check(&resolved, &statements, &used, &mut diagnostics);
+                rig = Some(resolved);
+            }
         }
         None if diagnostics.is_empty() => {
             let names: Vec<&str> = files.iter().flat_map(|f| &f.rigs).map(|r| r.name.text.as_str()).collect();
@@ -152,8 +163,7 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         rig = None;
     }
-    diagnostics.sort_by_key(|d| (d.severity, d.labels.first().map(|(s, _)| *s)));
-    diagnostics.dedup();
+    let diagnostics = diagnostic::tidy(diagnostics);
     Checked { rig, diagnostics, sources }
 }
 
@@ -166,9 +176,10 @@ pub fn parse_value(text: &str, expected: &units::Unit) -> Result<f64, String> {
     let tokens = token::lex(0, text, &mut diagnostics);
     let expr = parser::parse_expression(&tokens, &mut diagnostics);
     let scope = quantity::Scope::default();
+    let sources = Sources { files: vec![("value".to_owned(), text.to_owned())] };
     let mut used = std::collections::BTreeSet::new();
     let checked = expr.as_ref().and_then(|e| {
-        quantity::Checker { scope: &scope, diagnostics: &mut diagnostics, used: &mut used }.expect(
+        quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.expect(
             e,
             expected.dimension,
             "this",
@@ -180,5 +191,24 @@ pub fn parse_value(text: &str, expected: &units::Unit) -> Result<f64, String> {
         (Some(rig::Expr::Number(x)), None) => Ok(if bare { x * expected.factor } else { x }),
         (_, Some(d)) => Err(d.message.clone()),
         _ => Err(format!("`{text}` is no number")),
+    }
+}
+
+/// A unit as written in a rig (`deg`, `N*m*s`, `m/s^2`), for records and options.
+///
+/// # Errors
+/// A sentence for the user.
+pub fn parse_unit(text: &str) -> Result<units::Unit, String> {
+    let mut diagnostics = Vec::new();
+    let tokens = token::lex(0, text, &mut diagnostics);
+    let parsed = parser::parse_unit(&tokens, &mut diagnostics);
+    let scope = quantity::Scope::default();
+    let mut used = std::collections::BTreeSet::new();
+    let sources = Sources { files: vec![("unit".to_owned(), text.to_owned())] };
+    let unit = parsed.as_ref().and_then(|u| quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.unit(u));
+    match (unit, diagnostics.first()) {
+        (Some(unit), None) if unit.factor.is_finite() && unit.factor > 0.0 => Ok(unit),
+        (_, Some(d)) => Err(d.message.clone()),
+        _ => Err(format!("`{text}` is no unit")),
     }
 }

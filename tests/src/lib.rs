@@ -1,5 +1,6 @@
 //! Shared pieces of the cross-crate checks: where things lie, repeatable random numbers, random rigs.
 
+pub mod bench_rig;
 pub mod close;
 pub mod random;
 pub mod random_rig;

@@ -104,7 +104,7 @@ pub fn assemble(rig: &Rig, lowering: &Lowering, g: &mut Graph, _assumptions: boo
     let moving = inertial_wrenches(&tree, g, &inertia, &omega, lowering.rates(), &still, nothing);
     let mut coriolis = project(&tree, g, &moving);
     let hanging = inertial_wrenches(&tree, g, &inertia, &rest, &still, &still, fall);
-    let gravity = project(&tree, g, &hanging);
+    let mut gravity = project(&tree, g, &hanging);
     let both = inertial_wrenches(&tree, g, &inertia, &omega, lowering.rates(), &still, fall);
     let mut bias = project(&tree, g, &both);
 
@@ -126,6 +126,12 @@ pub fn assemble(rig: &Rig, lowering: &Lowering, g: &mut Graph, _assumptions: boo
     let kinetic = g.add(bodies_energy, function_energy);
     let height = stored::gravity_potential(rig, &tree, lowering, g, |_| true);
     let potential = g.add(height, spring_energy);
+    // dV/dq is the shorter form on small rigs, and the one that stands in notes
+    g.set_scope("gravity");
+    let pull = lagrange::from_potential(g, height, lowering);
+    if g.operations(&pull) <= g.operations(&gravity) {
+        gravity = pull;
+    }
     Parts {
         body_road: Some(BodyRoad { tree, inertia, applied, applied_on_coordinates, functions }),
         mass_matrix: m,
