@@ -76,6 +76,8 @@ fn experiments_1_and_2_beside_table_2() {
         ("1, encoders", experiment("googol_identified", experiment_1(), true, &[])),
         ("2, encoders, theta*' = 0", experiment("googol_identified", experiment_2(InnerRate::Zero), true, &[])),
         ("2, encoders, theta*' filtered", experiment("googol_identified", experiment_2(filtered), true, &[])),
+        ("1, on the full physics", experiment("googol", experiment_1(), true, &[])),
+        ("1, on the full physics, integrals", experiment("googol", experiment_1(), true, &["eps", "theta"])),
     ];
     println!(
         "mean absolute error [rad]            elevation  pitch    yaw     | from 10 s on: elevation  pitch    yaw     | limited f_1, f_2 [%]"
@@ -83,7 +85,8 @@ fn experiments_1_and_2_beside_table_2() {
     println!("Table 2, experiment 1 on the rig     0.0150    0.0070   -");
     println!("Table 2, experiment 2 on the rig     0.0180    0.0032   0.0577");
     for (name, run) in &rows {
-        let all = |from: f64| format!("{:.4}    {:.4}   {:.4}", mean(run, EPS, from), mean(run, THETA, from), mean(run, PSI, from));
+        let cell = |output, from| run.errors(output, from).map_or_else(|| "-     ".to_owned(), |e| format!("{:.4}", e.0));
+        let all = |from: f64| format!("{}    {}   {}", cell(EPS, from), cell(THETA, from), cell(PSI, from));
         println!("{name:36} {}  |                {}  | {:.1?}", all(0.0), all(10.0), run.saturated_percent);
         assert_eq!((&run.status, run.t.len()), (&Status::Complete, 10001), "{name}");
     }
@@ -91,11 +94,18 @@ fn experiments_1_and_2_beside_table_2() {
     for (_, run) in &rows {
         // thrusts stay within the rotors' limits
         assert!(run.u.iter().flatten().all(|f| (0.05..=4.0).contains(f)));
+    }
+    for (_, run) in &rows[..4] {
         // the nominal plant is tracked to about the encoders' quantum once the climb is over
         assert!(mean(run, EPS, 10.0) < quantum && mean(run, THETA, 10.0) < 2.0 * quantum);
         // over the whole run the climb from -0.545 rad is what makes up the elevation's mean: the size that the paper measured
         assert!((0.005..0.05).contains(&mean(run, EPS, 0.0)));
     }
+    // on another plant the feedforward is wrong; integrals make up for it, and the limited climb does not wind them up
+    let (plain, integral) = (&rows[4].1, &rows[5].1);
+    assert!(mean(plain, EPS, 20.0) > 10.0 * mean(integral, EPS, 20.0));
+    let overshoot = integral.x.iter().map(|x| x[EPS]).fold(f64::NEG_INFINITY, f64::max);
+    assert!(overshoot < 0.3, "{overshoot}");
     // a proportional-derivative outer loop leaves the yaw behind a ramp: the thrust that holds psi' = 8 deg/s against
     // friction needs a pitch angle, which needs a yaw error of theta / K_p
     let lag = 0.4804 * 8.0 * DEG / (1.6279 / 0.531 * 0.531) / 1.8;
