@@ -56,7 +56,10 @@ impl fmt::Display for DeriveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::RoadsDiffer { quantity, difference } => {
-                write!(f, "the two derivations differ in {quantity} by {difference:.1e} (relative); this is a fault of the program, please report the rig")
+                write!(
+                    f,
+                    "the two derivations differ in {quantity} by {difference:.1e} (relative); this is a fault of the program, please report the rig"
+                )
             }
             Self::EnergyBalance { difference } => {
                 write!(f, "the power balance is off by {difference:.1e} (relative); this is a fault of the program, please report the rig")
@@ -83,7 +86,12 @@ pub fn derive(rig: &Rig, options: Options) -> Result<Equations, DeriveError> {
 }
 
 fn layout(rig: &Rig, lowering: &Lowering, g: &Graph) -> Layout {
-    let variable = |symbol, unit: &str, doc: &str| Variable { name: g.symbol_info(symbol).name.clone(), unit: unit.to_owned(), doc: doc.to_owned(), symbol };
+    let variable = |symbol, unit: &str, doc: &str| Variable {
+        name: g.symbol_info(symbol).name.clone(),
+        unit: unit.to_owned(),
+        doc: doc.to_owned(),
+        symbol,
+    };
     let per = |unit: &str, power: &str| format!("{unit}/s{power}");
     let coordinates = |symbols: &[crate::expr::SymbolId], suffix: &dyn Fn(&str) -> String| {
         rig.coordinates.iter().zip(symbols).map(|(c, &s)| variable(s, &suffix(&c.unit.text), &c.doc)).collect::<Vec<_>>()

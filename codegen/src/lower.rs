@@ -50,7 +50,8 @@ impl Lowering {
         let symbol_id = |g: &Graph, id: Id| g.symbol_of(id).expect("a symbol was just made");
         let time = g.symbol("t", SymbolKind::Time);
         let coordinates: Vec<Id> = rig.coordinates.iter().enumerate().map(|(i, c)| g.symbol(&c.name, SymbolKind::Coordinate(i))).collect();
-        let rates: Vec<Id> = rig.coordinates.iter().enumerate().map(|(i, c)| g.symbol(&format!("{}.dot", c.name), SymbolKind::Rate(i))).collect();
+        let rates: Vec<Id> =
+            rig.coordinates.iter().enumerate().map(|(i, c)| g.symbol(&format!("{}.dot", c.name), SymbolKind::Rate(i))).collect();
         let accelerations: Vec<Id> =
             rig.coordinates.iter().enumerate().map(|(i, c)| g.symbol(&format!("{}.ddot", c.name), SymbolKind::Acceleration(i))).collect();
         let inputs: Vec<Id> = rig.inputs.iter().enumerate().map(|(i, input)| g.symbol(&input.name, SymbolKind::Signal(i))).collect();
@@ -66,7 +67,8 @@ impl Lowering {
                 })
             })
             .collect();
-        let parameter_symbols: Vec<Id> = rig.parameters.iter().enumerate().map(|(i, p)| g.symbol(&p.name, SymbolKind::Parameter(i))).collect();
+        let parameter_symbols: Vec<Id> =
+            rig.parameters.iter().enumerate().map(|(i, p)| g.symbol(&p.name, SymbolKind::Parameter(i))).collect();
         let mut parameters = parameter_symbols.clone();
         if apply_assumptions {
             for assumption in &rig.assumptions {

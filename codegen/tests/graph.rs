@@ -103,7 +103,19 @@ fn random_expressions_and_their_derivatives_keep_their_values() {
 #[test]
 fn every_function_has_its_derivative() {
     let all = [
-        F1::Sin, F1::Cos, F1::Tan, F1::Asin, F1::Acos, F1::Atan, F1::Sinh, F1::Cosh, F1::Tanh, F1::Exp, F1::Ln, F1::Sqrt, F1::Abs,
+        F1::Sin,
+        F1::Cos,
+        F1::Tan,
+        F1::Asin,
+        F1::Acos,
+        F1::Atan,
+        F1::Sinh,
+        F1::Cosh,
+        F1::Tanh,
+        F1::Exp,
+        F1::Ln,
+        F1::Sqrt,
+        F1::Abs,
         F1::SmoothSign,
     ];
     let mut g = Graph::new();

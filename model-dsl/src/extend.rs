@@ -5,7 +5,8 @@ use crate::ast::{Action, File, Removal, RigItem, Statement};
 use crate::diagnostic::{Diagnostic, nearest};
 
 /// Statements of `rig`, base first, with replacements and removals done.
-pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>) -> Vec<Statement> {
+/// `None` where a base is missing: what a rig would have without it means nothing.
+pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Statement>> {
     let mut chain: Vec<&RigItem> = vec![rig];
     while let Some(base) = &chain[chain.len() - 1].extends {
         let Some(found) = find(files, &base.text) else {
@@ -15,14 +16,18 @@ pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>)
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help("bring it in with `use \"file.rig\";`"),
             };
-            diagnostics.push(d);
-            break;
+            // the base may be in a file that could not be read
+            if !diagnostics.iter().any(|d| matches!(d.code, "E0104" | "E0105")) {
+                diagnostics.push(d);
+            }
+            return None;
         };
         if chain.iter().any(|r| r.name.text == found.name.text) {
             diagnostics.push(
-                Diagnostic::error("E0208", format!("`{}` extends itself in a circle", found.name.text), base.span, "closes the circle").help("a rig can extend only what does not extend it"),
+                Diagnostic::error("E0208", format!("`{}` extends itself in a circle", found.name.text), base.span, "closes the circle")
+                    .help("a rig can extend only what does not extend it"),
             );
-            break;
+            return None;
         }
         chain.push(found);
     }
@@ -35,7 +40,7 @@ pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>)
             add(&mut statements, statement, diagnostics);
         }
     }
-    statements
+    Some(statements)
 }
 
 /// The rig of this name.
@@ -47,23 +52,38 @@ fn same(a: &Statement, b: &Statement) -> bool {
     a.keyword == b.keyword && a.name.text == b.name.text && a.keyword != "equation"
 }
 
+/// Statements of one family may replace one another: a `prescribed` coordinate one that was free, a `const` a `param`.
+fn family(s: &Statement) -> &'static str {
+    match s.keyword {
+        "const" | "derived" | "lump" => "param",
+        "prescribed" => "coord",
+        "encoder" => "output",
+        "torque" => "force",
+        own => own,
+    }
+}
+
 fn add(statements: &mut Vec<Statement>, new: &Statement, diagnostics: &mut Vec<Diagnostic>) {
     if new.action == Action::Add {
         statements.push(new.clone());
         return;
     }
-    // an equation is known by its left-hand side, everything else by keyword and name; values may change their keyword
-    let value = |s: &Statement| matches!(s.keyword, "param" | "const" | "derived" | "lump");
+    // an equation is known by its left-hand side, everything else by keyword and name
     let place = if new.keyword == "equation" {
         statements.iter().position(|s| s.keyword == "equation" && equation_of(s) == equation_of(new))
     } else {
-        statements.iter().position(|s| same(s, new) || (value(s) && value(new) && s.name.text == new.name.text))
+        statements.iter().position(|s| same(s, new) || (family(s) == family(new) && s.name.text == new.name.text))
     };
     match place {
         Some(place) => statements[place] = Statement { action: Action::Add, ..new.clone() },
         None => {
             let names: Vec<&str> = statements.iter().filter(|s| s.keyword == new.keyword).map(|s| s.name.text.as_str()).collect();
-            let mut d = Diagnostic::error("E0207", format!("there is no {} `{}` to replace", new.keyword, new.name.text), new.name.span, "nothing of this name before");
+            let mut d = Diagnostic::error(
+                "E0207",
+                format!("there is no {} `{}` to replace", new.keyword, new.name.text),
+                new.name.span,
+                "nothing of this name before",
+            );
             d = match nearest(&new.name.text, names.iter().copied()) {
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help("to add it, leave out `replace`"),
@@ -95,7 +115,11 @@ fn equation_of(statement: &Statement) -> Option<String> {
 fn remove(statements: &mut Vec<Statement>, removal: &Removal, diagnostics: &mut Vec<Diagnostic>) {
     let wanted = |s: &Statement| {
         let kind = removal.keyword.as_ref().is_none_or(|k| k.text == s.keyword);
-        let name = if s.keyword == "equation" { equation_of(s).as_deref() == Some(removal.name.text.as_str()) } else { s.name.text == removal.name.text };
+        let name = if s.keyword == "equation" {
+            equation_of(s).as_deref() == Some(removal.name.text.as_str())
+        } else {
+            s.name.text == removal.name.text
+        };
         kind && name
     };
     let found: Vec<&'static str> = statements.iter().filter(|s| wanted(s)).map(|s| s.keyword).collect();
@@ -104,7 +128,12 @@ fn remove(statements: &mut Vec<Statement>, removal: &Removal, diagnostics: &mut 
     match kinds.len() {
         0 => {
             let names: Vec<&str> = statements.iter().map(|s| s.name.text.as_str()).collect();
-            let mut d = Diagnostic::error("E0207", format!("there is no `{}` to remove", removal.name.text), removal.name.span, "nothing of this name in the base");
+            let mut d = Diagnostic::error(
+                "E0207",
+                format!("there is no `{}` to remove", removal.name.text),
+                removal.name.span,
+                "nothing of this name in the base",
+            );
             if let Some(near) = nearest(&removal.name.text, names.iter().copied()) {
                 d = d.help(format!("did you mean `{near}`?"));
             }
@@ -112,8 +141,13 @@ fn remove(statements: &mut Vec<Statement>, removal: &Removal, diagnostics: &mut 
         }
         1 => statements.retain(|s| !wanted(s)),
         _ => {
-            let d = Diagnostic::error("E0207", format!("`{}` names several statements: {}", removal.name.text, kinds.join(", ")), removal.name.span, "which one?")
-                .help(format!("write `remove {} {};`", kinds[0], removal.name.text));
+            let d = Diagnostic::error(
+                "E0207",
+                format!("`{}` names several statements: {}", removal.name.text, kinds.join(", ")),
+                removal.name.span,
+                "which one?",
+            )
+            .help(format!("write `remove {} {};`", kinds[0], removal.name.text));
             diagnostics.push(d);
         }
     }

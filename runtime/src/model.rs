@@ -65,6 +65,10 @@ pub trait Names {
     fn output(&self, i: usize) -> &str;
     /// Unit of parameter i, as text.
     fn parameter_unit(&self, i: usize) -> &str;
+    /// Unit of signal i, as text; empty where it is not known.
+    fn signal_unit(&self, _i: usize) -> &str {
+        ""
+    }
     /// Unit of output i, as text.
     fn output_unit(&self, i: usize) -> &str;
 }
@@ -116,6 +120,11 @@ pub trait Model: Sync {
     /// # Errors
     /// [`Singular`] where the mass matrix is not positive definite.
     fn parameter_jacobian(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dfdp: &mut [f64]) -> Result<(), Singular>;
+    /// Pivots D of the mass matrix M = L^T D L, one a coordinate (infinite where a coordinate is prescribed), written to
+    /// `d`; false where the model does not give them. Pivot k vanishes where coordinate k moves no inertia.
+    fn pivots(&self, _t: f64, _x: &[f64], _p: &[f64], _d: &mut [f64]) -> bool {
+        false
+    }
     /// y = h(t, x, p), without delay and quantization.
     fn outputs(&self, t: f64, x: &[f64], p: &[f64], y: &mut [f64]);
     /// C = dh/dx (outputs x states), dh/dp (outputs x parameters).

@@ -30,7 +30,12 @@ pub fn casadi(equations: &Equations) -> String {
     let flat = |rows: &[Vec<Id>]| rows.iter().flatten().copied().collect::<Vec<_>>();
     if !equations.linear.a.is_empty() {
         let (a, b) = (flat(&equations.linear.a), flat(&equations.linear.b));
-        function(&mut out, equations, "linearize", &[("A", layout.states(), layout.states(), a), ("B", layout.states(), layout.u.len(), b)]);
+        function(
+            &mut out,
+            equations,
+            "linearize",
+            &[("A", layout.states(), layout.states(), a), ("B", layout.states(), layout.u.len(), b)],
+        );
     }
     out
 }

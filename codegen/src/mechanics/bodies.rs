@@ -1,7 +1,7 @@
 //! Inertias of the rig's bodies, gathered per link: (m, m c, I about the link's origin).
 
 use super::tree::Tree;
-use super::vector::{Sym3, V3, add3, add_tensors, dot3, point_inertia, scale3, zero3};
+use super::vector::{Sym3, V3, add_tensors, add3, dot3, point_inertia, scale3, zero3};
 use crate::expr::{Graph, Id};
 use crate::lower::Lowering;
 use model_dsl::rig::{Body, InertiaPoint, Rig};
@@ -84,6 +84,7 @@ pub fn per_link(rig: &Rig, tree: &Tree, lowering: &Lowering, g: &mut Graph, take
         {
             g.set_scope(body.name.clone());
             let inertia = about_origin(body, lowering, g);
+            g.set_scope(tree.links[link].name.clone());
             carried[link] = carried[link].plus(g, &inertia);
         }
     }
