@@ -40,7 +40,7 @@ fn own_record(p: &[f64], x0: &[f64], seconds: u32, noise: f64, u: impl Fn(f64) -
 }
 
 fn switching(t: f64) -> f64 {
-    if (t / 0.37) as u32 % 2 == 0 { 1.5 } else { -1.5 }
+    if ((t / 0.37) as u32).is_multiple_of(2) { 1.5 } else { -1.5 }
 }
 
 #[test]
@@ -103,8 +103,8 @@ fn an_unstable_rig_is_predicted_over_a_horizon() {
     let p = [9.81, 0.2, 2.0, 0.05];
     let t: Vec<f64> = (0..=3000).map(|k| f64::from(k) / 100.0).collect();
     let (mut x, mut y, mut us) = (vec![0.1, 0.0, 0.0], Vec::new(), Vec::new());
-    for k in 0..t.len() {
-        let u = (-14.0 * x[0] - 4.0 * x[1] + 0.3 * (1.7 * t[k]).sin()).clamp(-10.0, 10.0);
+    for t in &t {
+        let u = (-14.0 * x[0] - 4.0 * x[1] + 0.3 * (1.7 * t).sin()).clamp(-10.0, 10.0);
         y.push(x[0]);
         us.push(u);
         let next = simulate(&Pendulum, &p, &x, &Signals::constant(&[u]).unwrap(), &[0.0, 0.01], &Options::default()).unwrap();
@@ -143,6 +143,9 @@ fn records_made_by_hand_are_checked() {
     record.columns[0].values.push(0.0);
     record.columns[1].values[3] = f64::NAN;
     assert_eq!(why(&record), "own: sample 4 of signal 1 is not a finite number");
+    record.columns[1].values[3] = 0.0;
+    record.columns[0].values[7] = f64::INFINITY;
+    assert_eq!(why(&record), "own: value 8 of `theta` is inf");
     record.t.clear();
     record.columns.iter_mut().for_each(|c| c.values.clear());
     assert_eq!(why(&record), "own: `theta` has 0 values for 0 time stamps");

@@ -137,6 +137,12 @@ pub fn bind(record: &Record, model: &dyn Model, hold: Hold) -> Result<Bound, Mat
             None => None,
             Some(column) => {
                 check_unit(record, name, column.unit.as_ref(), names.output_unit(i), "output")?;
+                if let Some(k) = column.values.iter().position(|y| !y.is_finite()) {
+                    return Err(MatchError::Inconsistent {
+                        file: file(),
+                        why: format!("value {} of `{name}` is {}", k + 1, column.values[k]),
+                    });
+                }
                 Some(column.values.clone())
             }
         });
