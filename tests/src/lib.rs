@@ -1,11 +1,13 @@
 //! Shared pieces of the cross-crate checks: where things lie, repeatable random numbers, random rigs.
 
+pub mod c_compiler;
 pub mod calls;
 pub mod close;
 #[rustfmt::skip]
 pub mod named;
 pub mod random;
 pub mod random_rig;
+pub mod states;
 
 use std::path::PathBuf;
 
