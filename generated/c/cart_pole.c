@@ -122,8 +122,8 @@ double cart_pole_kinetic_energy(
     const double s_theta_x_dot = s_theta * v->x;
     /* body rod on pole */
     const double rod_1 = c_theta * v->x + p->l * v->theta;
-    const double rod_2 = 0.5 * (p->m_p * (rod_1 * rod_1 + s_theta_x_dot * s_theta_x_dot) + J * v->theta * v->theta);
-    return 0.5 * p->m_c * v->x * v->x + rod_2;
+    const double rod_2 = p->m_p * (rod_1 * rod_1 + s_theta_x_dot * s_theta_x_dot);
+    return 0.5 * p->m_c * v->x * v->x + 0.5 * (rod_2 + J * v->theta * v->theta);
 }
 
 double cart_pole_potential_energy(const struct cart_pole_coordinates *q, const struct cart_pole_parameters *p)
@@ -243,9 +243,11 @@ int cart_pole_linearize(
     /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = p->m_p * (x_ddot * c_theta + a_pole_x);
     const double slopes_2 = p->m_p * a_pole_z_plus_x_ddot_s_theta;
-    const double slopes_3 = s_theta * (slopes_1 + mc_pole_z * theta_ddot) + slopes_2 * c_theta;
+    const double slopes_3 = c_theta * (slopes_2 + f_moving_pole_z);
+    const double slopes_4 = s_theta * (slopes_1 + mc_pole_z * theta_ddot);
+    const double slopes_5 = slopes_3 + slopes_1 * s_theta;
     /* derivatives with respect to theta */
-    const double by_theta_1 = slopes_3 - c_theta * (slopes_2 + f_moving_pole_z) - slopes_1 * s_theta;
+    const double by_theta_1 = slopes_4 + slopes_2 * c_theta - slopes_5;
     const double d_theta_ddot_by_theta = inv_theta * (mc_pole_z * a_pole_z_plus_x_ddot_s_theta - l_theta_x * by_theta_1);
     const double d_x_ddot_by_theta = inv_x * by_theta_1 - l_theta_x * d_theta_ddot_by_theta;
     /* derivatives with respect to F */
@@ -316,25 +318,26 @@ int cart_pole_parameter_jacobian(
     const double x_ddot = tau_x_inv_x - l_theta_x_theta_ddot;
     const double x_ddot_c_theta_plus_a_pole_x = x_ddot * c_theta + a_pole_x;
     /* slopes of the balance of forces, at the accelerations found */
-    const double slopes_1 = s_theta * (a_pole_z + x_ddot * s_theta - p->l * theta_dot_sq);
-    const double slopes_2 = slopes_1 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p->l * theta_ddot);
-    const double slopes_3 = p->m_p * x_ddot_c_theta_plus_a_pole_x + theta_ddot * (2.0 * p->m_p * p->l / 3.0 + 2.0 * mc_pole_z);
+    const double slopes_1 = theta_ddot * (l_sq + l_sq / 3.0) + p->l * x_ddot_c_theta_plus_a_pole_x;
+    const double slopes_2 = s_theta * (a_pole_z + x_ddot * s_theta - p->l * theta_dot_sq);
+    const double slopes_3 = slopes_2 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p->l * theta_ddot);
+    const double slopes_4 = p->m_p * x_ddot_c_theta_plus_a_pole_x + theta_ddot * (2.0 * p->m_p * p->l / 3.0 + 2.0 * mc_pole_z);
+    const double m_p_s_theta_c_theta = p->m_p * s_theta * c_theta;
+    /* derivatives with respect to g */
+    const double by_g_1 = p->m_p * c_theta * s_theta - m_p_s_theta_c_theta;
+    const double d_theta_ddot_by_g = inv_theta * (mc_pole_z * s_theta - l_theta_x * by_g_1);
+    const double d_x_ddot_by_g = inv_x * by_g_1 - l_theta_x * d_theta_ddot_by_g;
     /* derivatives with respect to m_c */
     const double by_m_c_1 = l_theta_x_theta_ddot - tau_x_inv_x;
     const double d_theta_ddot_by_m_c = -inv_theta * l_theta_x * by_m_c_1;
     const double d_x_ddot_by_m_c = inv_x * by_m_c_1 - l_theta_x * d_theta_ddot_by_m_c;
     /* derivatives with respect to m_p */
-    const double by_m_p_1 = l_theta_x * slopes_2 - theta_ddot * (l_sq + l_sq / 3.0) - p->l * x_ddot_c_theta_plus_a_pole_x;
-    const double d_theta_ddot_by_m_p = inv_theta * by_m_p_1;
-    const double d_x_ddot_by_m_p = -inv_x * slopes_2 - l_theta_x * d_theta_ddot_by_m_p;
+    const double d_theta_ddot_by_m_p = inv_theta * (l_theta_x * slopes_3 - slopes_1);
+    const double d_x_ddot_by_m_p = -inv_x * slopes_3 - l_theta_x * d_theta_ddot_by_m_p;
     /* derivatives with respect to l */
     const double by_l_1 = p->m_p * theta_dot_sq * s_theta - p->m_p * theta_ddot * c_theta;
-    const double d_theta_ddot_by_l = -inv_theta * (slopes_3 + l_theta_x * by_l_1);
+    const double d_theta_ddot_by_l = -inv_theta * (slopes_4 + l_theta_x * by_l_1);
     const double d_x_ddot_by_l = inv_x * by_l_1 - l_theta_x * d_theta_ddot_by_l;
-    /* derivatives with respect to g */
-    const double by_g_1 = p->m_p * c_theta * s_theta - p->m_p * s_theta * c_theta;
-    const double d_theta_ddot_by_g = inv_theta * (mc_pole_z * s_theta - l_theta_x * by_g_1);
-    const double d_x_ddot_by_g = inv_x * by_g_1 - l_theta_x * d_theta_ddot_by_g;
     if (!(M_x_x > 0.0)) {
         return 1;
     }

@@ -38,9 +38,10 @@ void furuta_mass_matrix(const struct furuta_coordinates *q, const struct furuta_
     const double I_pendulum_xx = J_p - L_p_per_two * mc_pendulum_z;
     /* frame pendulum on arm */
     const double M_theta_alpha = -p->r * mc_pendulum_z * c_alpha;
-    /* frame arm on ground */
-    const double arm_1 = I_arm_yy + I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
-    m[0][0] = arm_1 + p->J_m + p->J_h; /* theta */
+    const double pendulum_1_1 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
+    /* kinetic energy rotor */
+    const double M_theta_theta = I_arm_yy + pendulum_1_1 + p->J_m + p->J_h;
+    m[0][0] = M_theta_theta; /* theta */
     m[0][1] = M_theta_alpha;
     m[1][0] = M_theta_alpha; /* alpha */
     m[1][1] = I_pendulum_xx;
@@ -96,9 +97,10 @@ void furuta_velocity_products(
     const double n_moving_pendulum_z = pendulum_1 * v->alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
     const double pendulum_2 = I_pendulum_xx * omega_pendulum_z * v->alpha + omega_pendulum_z * I_pendulum_xx_alpha_dot;
     const double n_moving_pendulum_y = pendulum_2 - p->r * mc_pendulum_z * v->theta * v->theta;
-    const double f_moving_pendulum_1_y = mc_pendulum_z * omega_pendulum_y * omega_pendulum_z * c_alpha - f_moving_pendulum_z * s_alpha;
+    const double pendulum_3 = mc_pendulum_z * omega_pendulum_y * omega_pendulum_z * c_alpha;
     const double n_moving_pendulum_1_z = n_moving_pendulum_y * s_alpha + n_moving_pendulum_z * c_alpha;
-    c[0] = n_moving_pendulum_1_z + p->r * f_moving_pendulum_1_y; /* theta */
+    const double n_moving_arm_z = n_moving_pendulum_1_z - p->r * (f_moving_pendulum_z * s_alpha - pendulum_3);
+    c[0] = n_moving_arm_z; /* theta */
     c[1] = -omega_pendulum_z * pendulum_1; /* alpha */
 }
 
@@ -155,14 +157,15 @@ double furuta_kinetic_energy(const struct furuta_coordinates *q, const struct fu
     const double r_theta_dot = p->r * v->theta;
     const double r_theta_dot_s_alpha = r_theta_dot * s_alpha;
     const double r_per_two_theta_dot = p->r * v->theta / 2.0;
+    /* body arm_rod on arm */
+    const double arm_rod_1 = 0.5 * (p->m_r * r_per_two_theta_dot * r_per_two_theta_dot + J_r * v->theta * v->theta);
     const double L_p_per_two_omega_pendulum_y = L_p_per_two * omega_pendulum_y;
     /* body rod on pendulum */
     const double rod_1 = r_theta_dot * c_alpha + L_p_per_two * v->alpha;
-    const double rod_2 = p->m_p
-        * (r_theta_dot_s_alpha * r_theta_dot_s_alpha + L_p_per_two_omega_pendulum_y * L_p_per_two_omega_pendulum_y + rod_1 * rod_1);
-    const double rod_3 = 0.5 * (rod_2 + J_p * v->alpha * v->alpha + omega_pendulum_y * J_p * omega_pendulum_y);
-    const double rod_4 = 0.5 * (p->m_r * r_per_two_theta_dot * r_per_two_theta_dot + J_r * v->theta * v->theta) + rod_3;
-    return 0.5 * v->theta * v->theta * (p->J_m + p->J_h) + rod_4;
+    const double rod_2 = L_p_per_two_omega_pendulum_y * L_p_per_two_omega_pendulum_y + rod_1 * rod_1;
+    const double rod_3 = p->m_p * (r_theta_dot_s_alpha * r_theta_dot_s_alpha + rod_2);
+    const double rod_4 = 0.5 * (rod_3 + J_p * v->alpha * v->alpha + omega_pendulum_y * J_p * omega_pendulum_y);
+    return 0.5 * v->theta * v->theta * (p->J_m + p->J_h) + arm_rod_1 + rod_4;
 }
 
 double furuta_potential_energy(const struct furuta_coordinates *q, const struct furuta_parameters *p)
@@ -209,10 +212,9 @@ void furuta_inverse_dynamics(
     const double a_pendulum_z = p->g * c_alpha - a_pendulum_1_y * s_alpha;
     const double f_net_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * (omega_pendulum_y * omega_pendulum_z - a->alpha);
     const double n_net_pendulum_x = I_pendulum_xx * a->alpha - mc_pendulum_z * a_pendulum_y - omega_pendulum_z * pendulum_1;
-    const double f_net_pendulum_1_y = f_net_pendulum_y * c_alpha - s_alpha * (f_moving_pendulum_z + p->m_p * a_pendulum_z);
-    /* frame arm on ground */
-    const double n_net_arm_z = I_arm_yy * a->theta + n_net_pendulum_1_z + p->r * f_net_pendulum_1_y;
-    r[0] = n_net_arm_z - u->tau + a->theta * (p->J_m + p->J_h); /* theta */
+    const double pendulum_3 = s_alpha * (f_moving_pendulum_z + p->m_p * a_pendulum_z);
+    const double pendulum_1_1 = n_net_pendulum_1_z + p->r * (f_net_pendulum_y * c_alpha - pendulum_3);
+    r[0] = I_arm_yy * a->theta + pendulum_1_1 - u->tau + a->theta * (p->J_m + p->J_h); /* theta */
     r[1] = n_net_pendulum_x; /* alpha */
 }
 
@@ -257,10 +259,9 @@ int furuta_forward_dynamics(
     const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * omega_pendulum_y * omega_pendulum_z;
     const double f_pendulum_z = f_moving_pendulum_z + p->m_p * p->g * c_alpha;
     const double f_pendulum_1_y = f_pendulum_y * c_alpha - f_pendulum_z * s_alpha;
-    /* frame arm on ground */
-    const double arm_1 = I_arm_yy + I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
+    const double pendulum_1_1 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
     /* kinetic energy rotor */
-    const double M_theta_theta = arm_1 + p->J_m + p->J_h;
+    const double M_theta_theta = I_arm_yy + pendulum_1_1 + p->J_m + p->J_h;
     /* balance of forces */
     const double tau_theta = u->tau - n_moving_pendulum_1_z - p->r * f_pendulum_1_y;
     const double tau_alpha = omega_pendulum_z * pendulum_1 + mc_pendulum_z * a_pendulum_y;
@@ -321,10 +322,9 @@ int furuta_linearize(
     const double a_pendulum_z = p->g * c_alpha;
     const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
     const double f_pendulum_1_y = f_pendulum_y * c_alpha - s_alpha * (f_moving_pendulum_z + p->m_p * a_pendulum_z);
-    /* frame arm on ground */
-    const double arm_1 = I_arm_yy + I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
+    const double pendulum_1_1 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
     /* kinetic energy rotor */
-    const double M_theta_theta = arm_1 + p->J_m + p->J_h;
+    const double M_theta_theta = I_arm_yy + pendulum_1_1 + p->J_m + p->J_h;
     /* balance of forces */
     const double tau_theta = u->tau - n_moving_pendulum_1_z - p->r * f_pendulum_1_y;
     const double tau_alpha = omega_pendulum_z * pendulum_2 + mc_pendulum_z * a_pendulum_y;
@@ -338,37 +338,45 @@ int furuta_linearize(
     const double two_omega_pendulum_y = 2.0 * omega_pendulum_y;
     /* derivatives with respect to alpha */
     const double by_alpha_1 = I_pendulum_xx * omega_pendulum_z;
-    const double by_alpha_2 = c_alpha * (by_alpha_1 * v->alpha - pendulum_3) - n_moving_pendulum_z * s_alpha;
+    const double by_alpha_2 = c_alpha * (by_alpha_1 * v->alpha - pendulum_3);
+    const double by_alpha_3 = omega_pendulum_y * pendulum_2 - omega_pendulum_z * by_alpha_1;
     const double I_pendulum_xx_s_alpha = I_pendulum_xx * s_alpha;
     /* derivatives with respect to theta_dot */
-    const double by_theta_dot_1 = c_alpha * (I_pendulum_xx_s_alpha * v->alpha - I_pendulum_xx_alpha_dot * s_alpha);
-    const double by_theta_dot_2 = I_pendulum_xx_alpha_dot * c_alpha + I_pendulum_xx * c_alpha * v->alpha;
-    const double by_theta_dot_3 = mc_pendulum_z * c_alpha * (omega_pendulum_z * s_alpha + omega_pendulum_y * c_alpha);
-    const double by_theta_dot_4 = by_theta_dot_1 + s_alpha * (by_theta_dot_2 - 2.0 * p->r * mc_pendulum_z * v->theta);
-    const double by_theta_dot_5 = p->r * (-by_theta_dot_3 - mc_pendulum_z * two_omega_pendulum_y * s_alpha * s_alpha) - by_theta_dot_4;
-    const double d_alpha_ddot_by_theta_dot = inv_alpha
-        * (pendulum_2 * c_alpha + omega_pendulum_z * I_pendulum_xx_s_alpha - l_alpha_theta * by_theta_dot_5);
-    const double d_theta_ddot_by_theta_dot = inv_theta * by_theta_dot_5 - l_alpha_theta * d_alpha_ddot_by_theta_dot;
+    const double by_theta_dot_1 = pendulum_2 * c_alpha + omega_pendulum_z * I_pendulum_xx_s_alpha;
+    const double by_theta_dot_2 = c_alpha * (I_pendulum_xx_s_alpha * v->alpha - I_pendulum_xx_alpha_dot * s_alpha);
+    const double by_theta_dot_3 = mc_pendulum_z * (omega_pendulum_z * s_alpha + omega_pendulum_y * c_alpha);
+    const double by_theta_dot_4 = I_pendulum_xx_alpha_dot * c_alpha + I_pendulum_xx * c_alpha * v->alpha;
+    const double by_theta_dot_5 = mc_pendulum_z * two_omega_pendulum_y * s_alpha * s_alpha;
+    const double by_theta_dot_6 = s_alpha * (by_theta_dot_4 - 2.0 * p->r * mc_pendulum_z * v->theta);
+    const double by_theta_dot_7 = p->r * (-by_theta_dot_3 * c_alpha - by_theta_dot_5);
+    const double by_theta_dot_8 = by_theta_dot_7 - by_theta_dot_2 - by_theta_dot_6;
+    const double d_alpha_ddot_by_theta_dot = inv_alpha * (by_theta_dot_1 - l_alpha_theta * by_theta_dot_8);
+    const double d_theta_ddot_by_theta_dot = inv_theta * by_theta_dot_8 - l_alpha_theta * d_alpha_ddot_by_theta_dot;
+    /* derivatives with respect to alpha_dot */
+    const double by_alpha_dot_1 = 2.0 * p->r * mc_pendulum_z * s_alpha * v->alpha;
+    const double by_alpha_dot_2 = by_alpha_dot_1 + 2.0 * by_alpha_1 * s_alpha;
+    const double d_alpha_ddot_by_alpha_dot = inv_alpha * l_alpha_theta * by_alpha_dot_2;
+    const double d_theta_ddot_by_alpha_dot = -inv_theta * by_alpha_dot_2 - l_alpha_theta * d_alpha_ddot_by_alpha_dot;
     const double r_theta_ddot = p->r * theta_ddot;
     /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = a_pendulum_z - r_theta_ddot * s_alpha;
     const double slopes_2 = p->m_p * (a_pendulum_y + r_theta_ddot * c_alpha);
     const double m_p_slopes_1 = p->m_p * slopes_1;
-    const double slopes_3 = pendulum_3 - r_mc_pendulum_z_theta_dot_sq + I_pendulum_xx * (alpha_pendulum_y + theta_ddot * s_alpha);
-    const double slopes_4 = omega_pendulum_y * pendulum_2 - omega_pendulum_z * by_alpha_1 - mc_pendulum_z * slopes_1;
-    const double slopes_5 = c_alpha * (m_p_slopes_1 + mc_pendulum_z * (omega_pendulum_z * omega_pendulum_z - omega_pendulum_y_sq));
-    const double slopes_6 = slopes_5 - s_alpha * (slopes_2 + mc_pendulum_z * (pendulum_1 - alpha_ddot));
-    const double slopes_7 = s_alpha * (-mc_pendulum_z * omega_pendulum_z * two_omega_pendulum_y - slopes_2);
-    const double slopes_8 = s_alpha * (I_pendulum_xx * (theta_ddot * c_alpha - omega_pendulum_y * v->alpha) - pendulum_4);
-    const double slopes_9 = p->r * (slopes_6 - c_alpha * (f_moving_pendulum_z + m_p_slopes_1) - slopes_7);
-    const double slopes_10 = by_alpha_2 + slopes_3 * c_alpha + slopes_8 + slopes_9;
+    const double slopes_3 = pendulum_3 + I_pendulum_xx * (alpha_pendulum_y + theta_ddot * s_alpha);
+    const double slopes_4 = s_alpha * (slopes_2 + mc_pendulum_z * (pendulum_1 - alpha_ddot));
+    const double slopes_5 = c_alpha * (slopes_3 - r_mc_pendulum_z_theta_dot_sq);
+    const double slopes_6 = m_p_slopes_1 + mc_pendulum_z * (omega_pendulum_z * omega_pendulum_z - omega_pendulum_y_sq);
+    const double slopes_7 = I_pendulum_xx * (theta_ddot * c_alpha - omega_pendulum_y * v->alpha) - pendulum_4;
+    const double slopes_8 = s_alpha * (-mc_pendulum_z * omega_pendulum_z * two_omega_pendulum_y - slopes_2);
+    const double slopes_9 = c_alpha * (f_moving_pendulum_z + m_p_slopes_1) + slopes_8;
+    const double slopes_10 = slopes_5 + slopes_7 * s_alpha;
+    const double slopes_11 = by_alpha_2 - n_moving_pendulum_z * s_alpha + slopes_10;
+    const double slopes_12 = p->r * (slopes_6 * c_alpha - slopes_4 - slopes_9);
+    const double slopes_11_plus_slopes_12 = slopes_11 + slopes_12;
     /* derivatives with respect to alpha */
-    const double d_alpha_ddot_by_alpha = inv_alpha * (l_alpha_theta * slopes_10 - slopes_4);
-    const double d_theta_ddot_by_alpha = -inv_theta * slopes_10 - l_alpha_theta * d_alpha_ddot_by_alpha;
-    /* derivatives with respect to alpha_dot */
-    const double by_alpha_dot_1 = 2.0 * p->r * mc_pendulum_z * s_alpha * v->alpha + 2.0 * by_alpha_1 * s_alpha;
-    const double d_alpha_ddot_by_alpha_dot = inv_alpha * l_alpha_theta * by_alpha_dot_1;
-    const double d_theta_ddot_by_alpha_dot = -inv_theta * by_alpha_dot_1 - l_alpha_theta * d_alpha_ddot_by_alpha_dot;
+    const double by_alpha_4 = l_alpha_theta * slopes_11_plus_slopes_12 - by_alpha_3 + mc_pendulum_z * slopes_1;
+    const double d_alpha_ddot_by_alpha = inv_alpha * by_alpha_4;
+    const double d_theta_ddot_by_alpha = -inv_theta * slopes_11_plus_slopes_12 - l_alpha_theta * d_alpha_ddot_by_alpha;
     /* derivatives with respect to tau */
     const double d_alpha_ddot_by_tau = -l_alpha_theta * inv_alpha;
     if (!(M_theta_theta > 0.0)) {
@@ -439,16 +447,14 @@ int furuta_parameter_jacobian(
     const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
     const double f_pendulum_1_y = f_pendulum_y * c_alpha - s_alpha * (f_moving_pendulum_z + p->m_p * a_pendulum_z);
     const double theta_dot_sq = v->theta * v->theta;
-    /* frame arm on ground */
-    const double arm_1 = I_arm_yy + I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
-    /* frame pendulum on arm */
     const double a_pendulum_1_x = -p->r * theta_dot_sq;
+    const double pendulum_1_1 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
     const double n_moving_pendulum_y = mc_pendulum_z * a_pendulum_1_x
         + I_pendulum_xx * alpha_pendulum_y
         + omega_pendulum_z * I_pendulum_xx_alpha_dot;
     const double n_moving_pendulum_1_z = n_moving_pendulum_y * s_alpha + n_moving_pendulum_z * c_alpha;
     /* kinetic energy rotor */
-    const double M_theta_theta = arm_1 + p->J_m + p->J_h;
+    const double M_theta_theta = I_arm_yy + pendulum_1_1 + p->J_m + p->J_h;
     /* balance of forces */
     const double tau_theta = u->tau - n_moving_pendulum_1_z - p->r * f_pendulum_1_y;
     const double tau_alpha = omega_pendulum_z * pendulum_3 + mc_pendulum_z * a_pendulum_y;
@@ -470,48 +476,56 @@ int furuta_parameter_jacobian(
     const double slopes_3 = a_pendulum_z - r_theta_ddot * s_alpha;
     const double pendulum_1_minus_alpha_ddot = pendulum_1 - alpha_ddot;
     const double slopes_4 = c_alpha * (p->m_p * slopes_2 + mc_pendulum_z * pendulum_1_minus_alpha_ddot);
-    const double slopes_5 = theta_ddot * (r_sq / 12.0 + r_per_two * r_per_two);
-    const double slopes_6 = theta_ddot * (2.0 * p->m_r * p->r / 12.0 + 0.5 * mc_arm_x + 0.5 * p->m_r * r_per_two);
-    const double slopes_7 = p->r * (p->m_p * theta_ddot_c_alpha * c_alpha + p->m_p * theta_ddot_s_alpha * s_alpha);
-    const double slopes_8 = slopes_4 - s_alpha * (f_moving_pendulum_z + p->m_p * slopes_3) + slopes_7;
-    const double slopes_9 = slopes_6 - mc_pendulum_z * theta_dot_sq * s_alpha + slopes_8;
-    const double slopes_10 = s_alpha * (slopes_3 + L_p_per_two * pendulum_2);
-    const double slopes_11 = p->r * (c_alpha * (slopes_2 - L_p_per_two * pendulum_1_minus_alpha_ddot) - slopes_10);
+    const double slopes_5 = slopes_4 - s_alpha * (f_moving_pendulum_z + p->m_p * slopes_3);
+    const double slopes_6 = theta_ddot * (r_sq / 12.0 + r_per_two * r_per_two);
+    const double slopes_7 = theta_ddot * (2.0 * p->m_r * p->r / 12.0 + 0.5 * mc_arm_x + 0.5 * p->m_r * r_per_two);
+    const double slopes_8 = p->m_p * theta_ddot_s_alpha * s_alpha;
+    const double slopes_9 = p->r * (p->m_p * theta_ddot_c_alpha * c_alpha + slopes_8);
+    const double slopes_10 = slopes_5 - mc_pendulum_z * theta_dot_sq * s_alpha + slopes_9;
+    const double slopes_7_plus_slopes_10 = slopes_7 + slopes_10;
+    const double slopes_11 = c_alpha * (slopes_2 - L_p_per_two * pendulum_1_minus_alpha_ddot);
+    const double slopes_12 = s_alpha * (slopes_3 + L_p_per_two * pendulum_2);
     /* derivatives with respect to m_p */
     const double by_m_p_1 = L_p_sq / 12.0 + L_p_per_two * L_p_per_two;
     const double by_m_p_1_alpha_dot = by_m_p_1 * v->alpha;
     const double omega_pendulum_y_by_m_p_1 = omega_pendulum_y * by_m_p_1;
+    const double by_m_p_2 = c_alpha * (omega_pendulum_y_by_m_p_1 * v->alpha - omega_pendulum_y * by_m_p_1_alpha_dot);
     const double half_m_p = 0.5 * p->m_p;
     /* derivatives with respect to L_p */
     const double by_L_p_1 = 2.0 * p->m_p * p->L_p / 12.0 - 0.5 * mc_pendulum_z + L_p_per_two * half_m_p;
     const double by_L_p_1_alpha_dot = by_L_p_1 * v->alpha;
     const double omega_pendulum_y_by_L_p_1 = omega_pendulum_y * by_L_p_1;
+    const double by_L_p_2 = c_alpha * (omega_pendulum_y_by_L_p_1 * v->alpha - omega_pendulum_y * by_L_p_1_alpha_dot);
+    const double m_p_s_alpha_c_alpha = p->m_p * s_alpha * c_alpha;
     /* derivatives with respect to g */
-    const double by_g_1 = p->r * (p->m_p * c_alpha * s_alpha - p->m_p * s_alpha * c_alpha);
+    const double by_g_1 = p->r * (p->m_p * c_alpha * s_alpha - m_p_s_alpha_c_alpha);
     const double d_alpha_ddot_by_g = inv_alpha * (l_alpha_theta * by_g_1 + mc_pendulum_z * s_alpha);
     const double d_theta_ddot_by_g = -inv_theta * by_g_1 - l_alpha_theta * d_alpha_ddot_by_g;
     /* slopes of the balance of forces, at the accelerations found */
-    const double slopes_12 = L_p_per_two * slopes_2 + alpha_ddot * by_m_p_1 - omega_pendulum_z * omega_pendulum_y_by_m_p_1;
-    const double slopes_13 = omega_pendulum_z * by_m_p_1_alpha_dot - L_p_per_two * a_pendulum_1_x + slopes_1 * by_m_p_1;
-    const double slopes_14 = c_alpha * (omega_pendulum_y_by_m_p_1 * v->alpha - omega_pendulum_y * by_m_p_1_alpha_dot) + slopes_13 * s_alpha;
-    const double slopes_14_plus_slopes_11 = slopes_14 + slopes_11;
-    const double slopes_15 = slopes_2 * half_m_p + alpha_ddot * by_L_p_1 - omega_pendulum_z * omega_pendulum_y_by_L_p_1;
-    const double slopes_16 = omega_pendulum_z * by_L_p_1_alpha_dot - a_pendulum_1_x * half_m_p + slopes_1 * by_L_p_1;
-    const double slopes_17 = c_alpha * (omega_pendulum_y_by_L_p_1 * v->alpha - omega_pendulum_y * by_L_p_1_alpha_dot) + slopes_16 * s_alpha;
-    const double slopes_18 = p->r * (pendulum_2 * half_m_p * s_alpha + pendulum_1_minus_alpha_ddot * half_m_p * c_alpha);
+    const double slopes_13 = alpha_ddot * by_m_p_1 - omega_pendulum_z * omega_pendulum_y_by_m_p_1;
+    const double slopes_14 = omega_pendulum_z * by_m_p_1_alpha_dot + slopes_1 * by_m_p_1;
+    const double slopes_15 = s_alpha * (slopes_14 - L_p_per_two * a_pendulum_1_x);
+    const double slopes_16 = by_m_p_2 + slopes_15 + p->r * (slopes_11 - slopes_12);
+    const double slopes_17 = alpha_ddot * by_L_p_1 - omega_pendulum_z * omega_pendulum_y_by_L_p_1;
+    const double slopes_18 = omega_pendulum_z * by_L_p_1_alpha_dot + slopes_1 * by_L_p_1;
+    const double slopes_19 = pendulum_1_minus_alpha_ddot * half_m_p * c_alpha;
+    const double slopes_20 = s_alpha * (slopes_18 - a_pendulum_1_x * half_m_p);
+    const double slopes_21 = p->r * (pendulum_2 * half_m_p * s_alpha + slopes_19);
     /* derivatives with respect to m_r */
-    const double d_alpha_ddot_by_m_r = inv_alpha * l_alpha_theta * slopes_5;
-    const double d_theta_ddot_by_m_r = -inv_theta * slopes_5 - l_alpha_theta * d_alpha_ddot_by_m_r;
+    const double d_alpha_ddot_by_m_r = inv_alpha * l_alpha_theta * slopes_6;
+    const double d_theta_ddot_by_m_r = -inv_theta * slopes_6 - l_alpha_theta * d_alpha_ddot_by_m_r;
     /* derivatives with respect to r */
-    const double d_alpha_ddot_by_r = inv_alpha * (l_alpha_theta * slopes_9 + mc_pendulum_z * theta_ddot_c_alpha);
-    const double d_theta_ddot_by_r = -inv_theta * slopes_9 - l_alpha_theta * d_alpha_ddot_by_r;
+    const double d_alpha_ddot_by_r = inv_alpha * (l_alpha_theta * slopes_7_plus_slopes_10 + mc_pendulum_z * theta_ddot_c_alpha);
+    const double d_theta_ddot_by_r = -inv_theta * slopes_7_plus_slopes_10 - l_alpha_theta * d_alpha_ddot_by_r;
     /* derivatives with respect to m_p */
-    const double d_alpha_ddot_by_m_p = inv_alpha * (l_alpha_theta * slopes_14_plus_slopes_11 - slopes_12);
-    const double d_theta_ddot_by_m_p = -inv_theta * slopes_14_plus_slopes_11 - l_alpha_theta * d_alpha_ddot_by_m_p;
-    const double slopes_18_minus_slopes_17 = slopes_18 - slopes_17;
+    const double by_m_p_3 = l_alpha_theta * slopes_16 - L_p_per_two * slopes_2 - slopes_13;
+    const double d_alpha_ddot_by_m_p = inv_alpha * by_m_p_3;
+    const double d_theta_ddot_by_m_p = -inv_theta * slopes_16 - l_alpha_theta * d_alpha_ddot_by_m_p;
     /* derivatives with respect to L_p */
-    const double d_alpha_ddot_by_L_p = -inv_alpha * (slopes_15 + l_alpha_theta * slopes_18_minus_slopes_17);
-    const double d_theta_ddot_by_L_p = inv_theta * slopes_18_minus_slopes_17 - l_alpha_theta * d_alpha_ddot_by_L_p;
+    const double by_L_p_3 = slopes_21 - by_L_p_2 - slopes_20;
+    const double by_L_p_4 = slopes_2 * half_m_p + slopes_17 + l_alpha_theta * by_L_p_3;
+    const double d_alpha_ddot_by_L_p = -inv_alpha * by_L_p_4;
+    const double d_theta_ddot_by_L_p = inv_theta * by_L_p_3 - l_alpha_theta * d_alpha_ddot_by_L_p;
     /* derivatives with respect to J_m */
     const double by_J_m_1 = l_alpha_theta_alpha_ddot - tau_theta_inv_theta;
     const double d_alpha_ddot_by_J_m = -inv_alpha * l_alpha_theta * by_J_m_1;

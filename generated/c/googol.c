@@ -54,10 +54,11 @@ void googol_mass_matrix(const struct googol_coordinates *q, const struct googol_
     const double heli_1 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
     const double l_oc_m_h_l_oc = p->m_h * p->l_oc * p->l_oc;
     /* frame arm on column */
-    const double M_psi_eps = c_eps * (I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta) - M_eps_theta * s_eps;
-    const double arm_1 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_1 + l_oc_m_h_l_oc);
-    const double M_psi_psi = c_eps * (arm_1 - l_oc_mc_heli_z_c_theta * s_eps) - M_psi_theta * s_eps;
-    m[0][0] = M_psi_psi; /* psi */
+    const double arm_1 = I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta;
+    const double M_psi_eps = arm_1 * c_eps - M_eps_theta * s_eps;
+    const double arm_2 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_1 + l_oc_m_h_l_oc);
+    const double arm_3 = c_eps * (arm_2 - l_oc_mc_heli_z_c_theta * s_eps);
+    m[0][0] = arm_3 - M_psi_theta * s_eps; /* psi */
     m[0][1] = M_psi_eps;
     m[0][2] = M_psi_theta;
     m[1][0] = M_psi_eps; /* eps */
@@ -85,6 +86,7 @@ void googol_bias(const struct googol_coordinates *q, const struct googol_rates *
     const double I_arm_yy_eps_dot = I_arm_yy * v->eps;
     const double I_arm_yy_omega_arm_z = I_arm_yy * omega_arm_z;
     const double a_arm_z = p->g * c_eps;
+    const double arm_1 = omega_arm_x * I_arm_yy_omega_arm_z + a_arm_z * (m_b_l_oa - m_c_l_ob);
     /* body fuselage on heli */
     const double mc_heli_z = -p->m_h * p->l_cd;
     const double I_heli_yy = -p->l_cd * mc_heli_z;
@@ -98,6 +100,8 @@ void googol_bias(const struct googol_coordinates *q, const struct googol_rates *
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
+    const double heli_1 = I_heli_xx * alpha_arm_x - omega_heli_z * I_heli_yy_omega_heli_y + omega_heli_y * I_z_omega_heli_z;
+    const double heli_2 = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
     const double n_moving_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
@@ -106,12 +110,9 @@ void googol_bias(const struct googol_coordinates *q, const struct googol_rates *
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y * omega_heli_z);
     const double f_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
-    const double heli_1 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
-    const double n_heli_x = I_heli_xx * alpha_arm_x
-        - omega_heli_z * I_heli_yy_omega_heli_y
-        + omega_heli_y * I_z_omega_heli_z
-        - mc_heli_z * a_heli_y;
-    const double n_heli_y = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z + heli_1;
+    const double heli_3 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double n_heli_x = heli_1 - mc_heli_z * a_heli_y;
+    const double n_heli_y = heli_2 + heli_3;
     const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
     const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
     const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
@@ -119,7 +120,7 @@ void googol_bias(const struct googol_coordinates *q, const struct googol_rates *
     /* frame arm on column */
     const double n_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + n_heli_x;
     const double n_arm_z = n_heli_1_z + p->l_oc * f_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x * I_arm_yy_eps_dot;
-    const double h_eps = omega_arm_x * I_arm_yy_omega_arm_z + a_arm_z * (m_b_l_oa - m_c_l_ob) - n_heli_1_y + p->l_oc * f_heli_1_z;
+    const double h_eps = arm_1 - n_heli_1_y + p->l_oc * f_heli_1_z;
     const double n_column_z = n_arm_z * c_eps + n_arm_x * s_eps;
     h[0] = n_column_z; /* psi */
     h[1] = h_eps; /* eps */
@@ -157,7 +158,8 @@ void googol_velocity_products(
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
-    const double heli_1 = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
+    const double heli_1 = I_heli_xx * alpha_arm_x - omega_heli_z * I_heli_yy_omega_heli_y + omega_heli_y * I_z_omega_heli_z;
+    const double heli_2 = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
     const double n_moving_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
@@ -166,11 +168,8 @@ void googol_velocity_products(
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_moving_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y * omega_heli_z);
     const double f_moving_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
-    const double n_moving_heli_x = I_heli_xx * alpha_arm_x
-        - mc_heli_z * a_heli_y
-        - omega_heli_z * I_heli_yy_omega_heli_y
-        + omega_heli_y * I_z_omega_heli_z;
-    const double n_moving_heli_y = mc_heli_z * a_heli_1_x + heli_1;
+    const double n_moving_heli_x = heli_1 - mc_heli_z * a_heli_y;
+    const double n_moving_heli_y = mc_heli_z * a_heli_1_x + heli_2;
     const double f_moving_heli_1_y = f_moving_heli_y * c_theta + f_moving_heli_z * s_theta;
     const double f_moving_heli_1_z = f_moving_heli_z * c_theta - f_moving_heli_y * s_theta;
     const double n_moving_heli_1_y = n_moving_heli_y * c_theta + n_moving_heli_z * s_theta;
@@ -190,11 +189,11 @@ void googol_gravity(const struct googol_coordinates *q, const struct googol_para
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    const double gravity_1 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double g_eps = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps + gravity_1;
+    const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
+    const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
     const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
     g[0] = 0.0; /* psi */
-    g[1] = g_eps; /* eps */
+    g[1] = gravity_1 + gravity_2; /* eps */
     g[2] = g_theta; /* theta */
 }
 
@@ -220,7 +219,8 @@ void googol_generalized_force(
     const double l_df_f_1 = p->l_df * u->f_1;
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
-    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
     f[0] = n_applied_column_z; /* psi */
     f[1] = p->l_oc * f_s * c_theta; /* eps */
     f[2] = l_df_f_1 - l_df_f_2; /* theta */
@@ -257,19 +257,23 @@ double googol_kinetic_energy(const struct googol_coordinates *q, const struct go
     const double omega_heli_x = s_eps * v->psi - v->theta;
     const double l_oc_omega_arm_z = p->l_oc * omega_arm_z;
     const double l_oc_eps_dot = p->l_oc * v->eps;
-    const double heli_1 = l_oc_omega_arm_z * s_theta + l_oc_eps_dot * c_theta;
+    const double heli_1 = l_oc_omega_arm_z * c_theta - l_oc_eps_dot * s_theta;
+    const double heli_2 = l_oc_omega_arm_z * s_theta + l_oc_eps_dot * c_theta;
     const double l_oa_omega_arm_z = p->l_oa * omega_arm_z;
     const double l_oa_eps_dot = p->l_oa * v->eps;
+    /* body beam on arm */
+    const double beam_1 = 0.5 * p->m_b * (l_oa_omega_arm_z * l_oa_omega_arm_z + l_oa_eps_dot * l_oa_eps_dot);
     const double l_ob_omega_arm_z = p->l_ob * omega_arm_z;
     const double l_ob_eps_dot = p->l_ob * v->eps;
     /* body counterweight on arm */
     const double counterweight_1 = 0.5 * p->m_c * (l_ob_omega_arm_z * l_ob_omega_arm_z + l_ob_eps_dot * l_ob_eps_dot);
     const double l_cd_omega_heli_y = p->l_cd * omega_heli_y;
     /* body fuselage on heli */
-    const double fuselage_1 = l_oc_omega_arm_z * c_theta - l_oc_eps_dot * s_theta + p->l_cd * omega_heli_x;
-    const double fuselage_2 = p->m_h * (heli_1 * heli_1 + l_cd_omega_heli_y * l_cd_omega_heli_y + fuselage_1 * fuselage_1);
-    const double fuselage_3 = 0.5 * (fuselage_2 + p->I_x * omega_heli_x * omega_heli_x + p->I_z * omega_heli_z * omega_heli_z);
-    return 0.5 * p->m_b * (l_oa_omega_arm_z * l_oa_omega_arm_z + l_oa_eps_dot * l_oa_eps_dot) + counterweight_1 + fuselage_3;
+    const double fuselage_1 = heli_1 + p->l_cd * omega_heli_x;
+    const double fuselage_2 = l_cd_omega_heli_y * l_cd_omega_heli_y + fuselage_1 * fuselage_1;
+    const double fuselage_3 = p->m_h * (heli_2 * heli_2 + fuselage_2);
+    const double fuselage_4 = 0.5 * (fuselage_3 + p->I_x * omega_heli_x * omega_heli_x + p->I_z * omega_heli_z * omega_heli_z);
+    return beam_1 + counterweight_1 + fuselage_4;
 }
 
 double googol_potential_energy(const struct googol_coordinates *q, const struct googol_parameters *p)
@@ -277,9 +281,11 @@ double googol_potential_energy(const struct googol_coordinates *q, const struct 
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
     const double c_theta = cos(q->theta);
+    /* body counterweight on arm */
+    const double counterweight_1 = p->m_b * p->g * p->l_oa * s_eps - p->m_c * p->g * p->l_ob * s_eps;
     /* body fuselage on heli */
     const double fuselage_1 = p->m_h * p->g * (p->l_oc * s_eps - p->l_cd * c_eps * c_theta);
-    return p->m_b * p->g * p->l_oa * s_eps - p->m_c * p->g * p->l_ob * s_eps + fuselage_1;
+    return counterweight_1 + fuselage_1;
 }
 
 void googol_inverse_dynamics(
@@ -304,10 +310,12 @@ void googol_inverse_dynamics(
     const double alpha_arm_z = -omega_arm_x * v->eps;
     const double I_arm_yy_eps_dot = I_arm_yy * v->eps;
     const double I_arm_yy_omega_arm_z = I_arm_yy * omega_arm_z;
+    const double arm_1 = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps;
     const double a_arm_z = p->g * c_eps;
+    const double arm_2 = a_arm_z * (m_b_l_oa - m_c_l_ob);
     const double alpha_arm_x = omega_arm_z * v->eps + s_eps * a->psi;
     const double alpha_arm_z_2 = c_eps * a->psi + alpha_arm_z;
-    const double arm_1 = a_arm_z * (m_b_l_oa - m_c_l_ob) + omega_arm_x * I_arm_yy_omega_arm_z + I_arm_yy * a->eps;
+    const double arm_3 = arm_2 + omega_arm_x * I_arm_yy_omega_arm_z + I_arm_yy * a->eps;
     /* body fuselage on heli */
     const double mc_heli_z = -p->m_h * p->l_cd;
     const double I_heli_yy = -p->l_cd * mc_heli_z;
@@ -321,17 +329,19 @@ void googol_inverse_dynamics(
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
     const double alpha_heli_y = -omega_heli_z * v->theta - c_theta * a->eps - alpha_arm_z_2 * s_theta;
     const double alpha_heli_z = alpha_arm_z_2 * c_theta - s_theta * a->eps + omega_heli_y * v->theta;
-    const double heli_1 = omega_heli_y * I_z_omega_heli_z - omega_heli_z * I_heli_yy_omega_heli_y + I_heli_xx * (alpha_arm_x - a->theta);
+    const double heli_1 = I_heli_xx * (alpha_arm_x - a->theta);
+    const double heli_2 = omega_heli_y * I_z_omega_heli_z - omega_heli_z * I_heli_yy_omega_heli_y + heli_1;
+    const double heli_3 = omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z + I_heli_yy * alpha_heli_y;
     const double n_net_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = p->l_oc * (alpha_arm_z_2 + alpha_arm_z);
     const double a_heli_1_z = a_arm_z + p->l_oc * (a->eps + omega_arm_z * omega_arm_x);
-    const double heli_2 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double heli_4 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_net_heli_y = p->m_h * a_heli_y + mc_heli_z * (a->theta - alpha_arm_x + omega_heli_y * omega_heli_z);
-    const double heli_3 = heli_1 - mc_heli_z * a_heli_y;
-    const double n_net_heli_y = omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z + I_heli_yy * alpha_heli_y + heli_2;
+    const double heli_5 = heli_2 - mc_heli_z * a_heli_y;
+    const double n_net_heli_y = heli_3 + heli_4;
     const double f_net_heli_z = p->m_h * a_heli_z
         - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y)
         - u->f_1
@@ -343,12 +353,11 @@ void googol_inverse_dynamics(
     /* force rotor_2 on heli */
     const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     /* frame arm on column */
-    const double n_net_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + heli_3 - n_applied_heli_x;
     const double n_net_arm_z = I_arm_yy * alpha_arm_z_2 - omega_arm_x * I_arm_yy_eps_dot + n_net_heli_1_z + p->l_oc * f_net_heli_1_y;
-    const double n_net_column_z = n_net_arm_z * c_eps + n_net_arm_x * s_eps;
-    r[0] = p->c0_psi * v->psi + n_net_column_z; /* psi */
-    r[1] = p->c0_eps * v->eps + arm_1 - n_net_heli_1_y + p->l_oc * f_net_heli_1_z; /* eps */
-    r[2] = p->c0_theta * v->theta + n_applied_heli_x - heli_3; /* theta */
+    const double arm_4 = s_eps * (arm_1 + heli_5 - n_applied_heli_x);
+    r[0] = p->c0_psi * v->psi + n_net_arm_z * c_eps + arm_4; /* psi */
+    r[1] = p->c0_eps * v->eps + arm_3 - n_net_heli_1_y + p->l_oc * f_net_heli_1_z; /* eps */
+    r[2] = p->c0_theta * v->theta + n_applied_heli_x - heli_5; /* theta */
 }
 
 void googol_outputs(const struct googol_state *x, const struct googol_parameters *p, struct googol_outputs *y)
@@ -397,13 +406,15 @@ int googol_forward_dynamics(
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
+    const double heli_1 = I_heli_xx * alpha_arm_x - omega_heli_z * I_heli_yy_omega_heli_y + omega_heli_y * I_z_omega_heli_z;
+    const double heli_2 = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
     const double n_moving_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
     const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
     const double I_heli_yy_c_theta = I_heli_yy * c_theta;
     const double I_z_s_theta = p->I_z * s_theta;
-    const double heli_1 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
+    const double heli_3 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_z = p->l_oc * omega_arm_z * omega_arm_x + a_arm_z;
@@ -412,21 +423,20 @@ int googol_forward_dynamics(
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y * omega_heli_z);
     const double f_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
-    const double heli_2 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
-    const double n_heli_x = I_heli_xx * alpha_arm_x
-        - omega_heli_z * I_heli_yy_omega_heli_y
-        + omega_heli_y * I_z_omega_heli_z
-        - mc_heli_z * a_heli_y;
-    const double n_heli_y = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z + heli_2;
+    const double heli_4 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double n_heli_x = heli_1 - mc_heli_z * a_heli_y;
+    const double n_heli_y = heli_2 + heli_4;
     const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
     const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
     const double f_net_heli_z = f_heli_z - u->f_1 - u->f_2;
     const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
     const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
-    const double M_psi_eps = c_eps * (I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta) - M_eps_theta * s_eps;
-    const double arm_2 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_1 + l_oc_m_h_l_oc);
-    const double M_psi_psi = c_eps * (arm_2 - l_oc_mc_heli_z_c_theta * s_eps) - M_psi_theta * s_eps;
+    const double arm_2 = I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta;
+    const double M_psi_eps = arm_2 * c_eps - M_eps_theta * s_eps;
+    const double arm_3 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_3 + l_oc_m_h_l_oc);
+    const double arm_4 = c_eps * (arm_3 - l_oc_mc_heli_z_c_theta * s_eps);
+    const double M_psi_psi = arm_4 - M_psi_theta * s_eps;
     const double n_net_arm_z = n_heli_1_z + p->l_oc * f_net_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x * I_arm_yy_eps_dot;
     /* force rotor_2 on heli */
     const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
@@ -442,7 +452,7 @@ int googol_forward_dynamics(
     const double l_eps_psi = M_psi_eps * inv_psi;
     const double l_theta_psi = M_psi_theta * inv_psi;
     const double M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
-    const double pivot_eps = I_arm_yy + heli_1 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
+    const double pivot_eps = I_arm_yy + heli_3 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
     const double inv_eps = 1.0 / pivot_eps;
     const double l_theta_eps = inv_eps * (M_eps_theta - l_theta_psi * M_psi_psi_l_eps_psi);
     const double pivot_theta = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
@@ -519,6 +529,7 @@ int googol_linearize(
     const double heli_4 = heli_3 - omega_heli_x * I_z_omega_heli_z;
     const double heli_5 = omega_heli_y * I_heli_xx_omega_heli_x;
     const double heli_6 = omega_heli_x * I_heli_yy_omega_heli_y - heli_5;
+    const double heli_7 = I_heli_yy * (-alpha_arm_z * s_theta - omega_heli_z_theta_dot) + heli_4;
     const double n_moving_heli_z = heli_6 - p->I_z * (-omega_heli_y_theta_dot - alpha_arm_z * c_theta);
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
@@ -526,7 +537,7 @@ int googol_linearize(
     const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx_s_eps;
     const double I_heli_yy_c_theta = I_heli_yy * c_theta;
     const double I_z_s_theta = p->I_z * s_theta;
-    const double heli_7 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
+    const double heli_8 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z_sq);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_z = p->l_oc * omega_arm_z_omega_arm_x + a_arm_z;
@@ -534,19 +545,22 @@ int googol_linearize(
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y_omega_heli_z);
-    const double heli_8 = mc_heli_z * (a_arm_x + a_heli_1_x);
+    const double heli_9 = mc_heli_z * (a_arm_x + a_heli_1_x);
     const double n_heli_x = I_heli_xx * alpha_arm_x + heli_2 - mc_heli_z * a_heli_y;
-    const double n_heli_y = I_heli_yy * (-alpha_arm_z * s_theta - omega_heli_z_theta_dot) + heli_4 + heli_8;
+    const double n_heli_y = heli_7 + heli_9;
     const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
     const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
     const double f_net_heli_z = p->m_h * a_heli_z - heli_1 - f_s;
     const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
     const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
-    const double M_psi_eps = c_eps * (I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta) - M_eps_theta * s_eps;
-    const double arm_2 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_7 + l_oc_m_h_l_oc);
-    const double M_psi_psi = c_eps * (arm_2 - l_oc_mc_heli_z_c_theta * s_eps) - M_psi_theta * s_eps;
+    const double arm_2 = I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta;
+    const double M_psi_eps = arm_2 * c_eps - M_eps_theta * s_eps;
+    const double arm_3 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_8 + l_oc_m_h_l_oc);
+    const double arm_4 = c_eps * (arm_3 - l_oc_mc_heli_z_c_theta * s_eps);
+    const double M_psi_psi = arm_4 - M_psi_theta * s_eps;
     const double n_net_arm_z = n_heli_1_z + p->l_oc * f_net_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x_I_arm_yy_eps_dot;
+    const double arm_5 = omega_arm_x * I_arm_yy_omega_arm_z + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_net_heli_1_z;
     /* force rotor_2 on heli */
     const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     const double c_eps_s_theta = c_eps * s_theta;
@@ -560,28 +574,23 @@ int googol_linearize(
     const double I_z_omega_arm_x_c_theta = p->I_z * omega_arm_x_c_theta;
     const double I_z_omega_heli_y = p->I_z * omega_heli_y;
     /* frame arm on column */
-    const double n_net_column_z = n_net_arm_z * c_eps + s_eps * (arm_1 + n_heli_x - n_applied_heli_x);
+    const double arm_6 = s_eps * (arm_1 + n_heli_x - n_applied_heli_x);
     /* balance of forces */
-    const double tau_psi = -p->c0_psi * v->psi - n_net_column_z;
-    const double tau_eps = n_heli_1_y
-        - p->c0_eps * v->eps
-        - omega_arm_x * I_arm_yy_omega_arm_z
-        - mc_arm_x * a_arm_z
-        - p->l_oc * f_net_heli_1_z;
+    const double tau_psi = -p->c0_psi * v->psi - n_net_arm_z * c_eps - arm_6;
     const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_applied_heli_x;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / M_psi_psi;
     const double l_eps_psi = M_psi_eps * inv_psi;
     const double l_theta_psi = M_psi_theta * inv_psi;
     const double M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
-    const double pivot_eps = I_arm_yy + heli_7 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
+    const double pivot_eps = I_arm_yy + heli_8 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
     const double inv_eps = 1.0 / pivot_eps;
     const double l_theta_eps = inv_eps * (M_eps_theta - l_theta_psi * M_psi_psi_l_eps_psi);
     const double pivot_theta = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     const double inv_theta = 1.0 / pivot_theta;
-    const double solve_1 = tau_eps - tau_psi * l_eps_psi;
-    const double theta_ddot = -inv_theta * (tau_psi * l_theta_psi - tau_theta + l_theta_eps * solve_1);
-    const double eps_ddot = inv_eps * solve_1 - l_theta_eps * theta_ddot;
+    const double solve_1 = tau_psi * l_eps_psi + p->c0_eps * v->eps + arm_5;
+    const double theta_ddot = -inv_theta * (tau_psi * l_theta_psi - tau_theta - l_theta_eps * solve_1);
+    const double eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
     const double psi_ddot = tau_psi * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_eps = p->l_df * s_eps;
@@ -597,92 +606,97 @@ int googol_linearize(
     const double I_heli_xx_omega_arm_z = I_heli_xx * omega_arm_z;
     const double by_eps_2 = I_heli_yy * omega_arm_x_s_theta;
     const double by_eps_3 = omega_heli_z * by_eps_2 - I_heli_yy_omega_heli_y * omega_arm_x_c_theta;
-    const double by_eps_4 = omega_heli_z * I_heli_xx_omega_arm_z - I_heli_xx_omega_heli_x * omega_arm_x_c_theta;
-    const double by_eps_5 = omega_heli_y * I_heli_xx_omega_arm_z + I_heli_xx_omega_heli_x * omega_arm_x_s_theta;
-    const double by_eps_6 = mc_heli_z * (a_arm_z + p->l_oc * omega_arm_x * two_omega_arm_z);
-    const double by_eps_7 = omega_arm_z * I_arm_yy_omega_arm_z - omega_arm_x * I_arm_yy_omega_arm_x - mc_arm_x * a_arm_x;
-    const double by_eps_8 = p->l_oc * (omega_arm_z_sq - omega_arm_x * omega_arm_x) - a_arm_x;
+    const double by_eps_4 = I_z_omega_heli_z * omega_arm_x_s_theta - omega_heli_y * I_z_omega_arm_x_c_theta - by_eps_3;
+    const double by_eps_5 = omega_heli_z * I_heli_xx_omega_arm_z - I_heli_xx_omega_heli_x * omega_arm_x_c_theta;
+    const double by_eps_6 = by_eps_5 - omega_arm_z * I_z_omega_heli_z + omega_heli_x * I_z_omega_arm_x_c_theta;
+    const double by_eps_7 = omega_heli_y * I_heli_xx_omega_arm_z + I_heli_xx_omega_heli_x * omega_arm_x_s_theta;
+    const double by_eps_8 = omega_arm_z * I_heli_yy_omega_heli_y - by_eps_7 + omega_heli_x * by_eps_2;
+    const double by_eps_9 = mc_heli_z * (a_arm_z + p->l_oc * omega_arm_x * two_omega_arm_z);
+    const double by_eps_10 = omega_arm_z * I_arm_yy_omega_arm_z - omega_arm_x * I_arm_yy_omega_arm_x - mc_arm_x * a_arm_x;
+    const double by_eps_11 = p->l_oc * (omega_arm_z_sq - omega_arm_x * omega_arm_x) - a_arm_x;
     const double I_heli_yy_omega_heli_z = I_heli_yy * omega_heli_z;
     /* derivatives with respect to theta */
     const double by_theta_1 = omega_heli_z * I_z_omega_heli_z - omega_heli_y * I_z_omega_heli_y;
+    const double by_theta_2 = omega_heli_z * I_heli_yy_omega_heli_z - omega_heli_y * I_heli_yy_omega_heli_y - by_theta_1;
     const double I_arm_yy_c_eps = I_arm_yy * c_eps;
     /* derivatives with respect to psi_dot */
-    const double by_psi_dot_1 = mc_heli_z * (two_omega_heli_x * s_eps - c_eps_s_theta * two_omega_heli_y);
+    const double by_psi_dot_1 = I_arm_yy_omega_arm_z * s_eps + omega_arm_x * I_arm_yy_c_eps;
+    const double by_psi_dot_2 = mc_heli_z * (two_omega_heli_x * s_eps - c_eps_s_theta * two_omega_heli_y);
     const double I_heli_yy_c_eps_s_theta = I_heli_yy * c_eps_s_theta;
-    const double by_psi_dot_2 = I_z_omega_heli_z * c_eps_s_theta - omega_heli_y * I_z_c_eps_c_theta;
-    const double by_psi_dot_3 = I_z_omega_heli_z * s_eps + omega_heli_x * I_z_c_eps_c_theta;
-    const double by_psi_dot_4 = omega_heli_x * I_heli_yy_c_eps_s_theta - I_heli_yy_omega_heli_y * s_eps;
+    const double by_psi_dot_3 = I_z_omega_heli_z * c_eps_s_theta - omega_heli_y * I_z_c_eps_c_theta;
+    const double by_psi_dot_4 = omega_heli_z * I_heli_yy_c_eps_s_theta - I_heli_yy_omega_heli_y * c_eps_c_theta - by_psi_dot_3;
+    const double by_psi_dot_5 = I_z_omega_heli_z * s_eps + omega_heli_x * I_z_c_eps_c_theta;
+    const double by_psi_dot_6 = I_heli_xx_omega_heli_x * c_eps_c_theta + omega_heli_z * I_heli_xx_s_eps - by_psi_dot_5;
+    const double by_psi_dot_7 = omega_heli_x * I_heli_yy_c_eps_s_theta - I_heli_yy_omega_heli_y * s_eps;
+    const double by_psi_dot_8 = I_heli_xx_omega_heli_x * c_eps_s_theta - omega_heli_y * I_heli_xx_s_eps - by_psi_dot_7;
+    const double by_psi_dot_9 = p->l_oc * mc_heli_z * two_omega_arm_z * c_eps;
+    const double by_psi_dot_10 = I_arm_yy_eps_dot * s_eps + I_arm_yy * s_eps_eps_dot;
     const double two_l_oc_s_eps_eps_dot = 2.0 * p->l_oc * s_eps_eps_dot;
-    const double by_psi_dot_5 = p->l_oc * (omega_arm_x * c_eps + omega_arm_z * s_eps);
-    const double by_psi_dot_6 = two_l_oc_s_eps_eps_dot * c_theta + by_psi_dot_5 * s_theta;
-    const double by_psi_dot_7 = mc_heli_z * (c_eps_eps_dot + omega_heli_z * c_eps_s_theta - omega_heli_y * c_eps_c_theta);
-    const double by_psi_dot_8 = p->m_h * by_psi_dot_6 + by_psi_dot_7;
-    const double by_psi_dot_9 = p->m_h * (by_psi_dot_5 * c_theta - two_l_oc_s_eps_eps_dot * s_theta) - by_psi_dot_1;
-    const double by_psi_dot_10 = I_heli_yy * (c_eps_c_theta * v->theta - s_eps_eps_dot * s_theta);
-    const double by_psi_dot_11 = p->I_z * (s_eps_eps_dot * c_theta + c_eps_s_theta * v->theta);
-    const double by_psi_dot_12 = omega_heli_z * I_heli_yy_c_eps_s_theta
-        - I_heli_yy_omega_heli_y * c_eps_c_theta
-        - by_psi_dot_2
-        + I_heli_xx * c_eps_eps_dot;
-    const double by_psi_dot_13 = I_heli_xx_omega_heli_x * c_eps_c_theta + omega_heli_z * I_heli_xx_s_eps - by_psi_dot_3 - by_psi_dot_10;
-    const double by_psi_dot_14 = I_heli_xx_omega_heli_x * c_eps_s_theta - omega_heli_y * I_heli_xx_s_eps - by_psi_dot_4 - by_psi_dot_11;
-    const double by_psi_dot_15 = mc_heli_z * by_psi_dot_6 + by_psi_dot_12;
-    const double by_psi_dot_16 = by_psi_dot_13 - p->l_oc * mc_heli_z * two_omega_arm_z * c_eps;
-    const double by_psi_dot_17 = p->l_oc * (by_psi_dot_9 * c_theta + by_psi_dot_8 * s_theta);
-    const double by_psi_dot_18 = p->l_oc * (by_psi_dot_9 * s_theta - by_psi_dot_8 * c_theta);
-    const double by_psi_dot_19 = by_psi_dot_16 * c_theta + by_psi_dot_14 * s_theta - by_psi_dot_17;
-    const double by_psi_dot_20 = by_psi_dot_14 * c_theta - by_psi_dot_16 * s_theta + by_psi_dot_18;
-    const double by_psi_dot_21 = c_eps * (by_psi_dot_20 - I_arm_yy_eps_dot * s_eps - I_arm_yy * s_eps_eps_dot);
-    const double by_psi_dot_22 = by_psi_dot_21 + s_eps * (I_arm_yy_eps_dot * c_eps - I_arm_yy_c_eps * v->eps + by_psi_dot_15);
-    const double c0_psi_plus_by_psi_dot_22 = p->c0_psi + by_psi_dot_22;
-    const double by_psi_dot_23 = by_psi_dot_19
-        - I_arm_yy_omega_arm_z * s_eps
-        - omega_arm_x * I_arm_yy_c_eps
-        + l_eps_psi * c0_psi_plus_by_psi_dot_22;
-    const double d_theta_ddot_by_psi_dot = inv_theta
-        * (by_psi_dot_15 + l_theta_psi * c0_psi_plus_by_psi_dot_22 - l_theta_eps * by_psi_dot_23);
-    const double d_eps_ddot_by_psi_dot = inv_eps * by_psi_dot_23 - l_theta_eps * d_theta_ddot_by_psi_dot;
+    const double by_psi_dot_11 = p->l_oc * (omega_arm_x * c_eps + omega_arm_z * s_eps);
+    const double by_psi_dot_12 = two_l_oc_s_eps_eps_dot * c_theta + by_psi_dot_11 * s_theta;
+    const double by_psi_dot_13 = p->m_h * (by_psi_dot_11 * c_theta - two_l_oc_s_eps_eps_dot * s_theta);
+    const double by_psi_dot_14 = c_eps_eps_dot + omega_heli_z * c_eps_s_theta - omega_heli_y * c_eps_c_theta;
+    const double by_psi_dot_15 = p->m_h * by_psi_dot_12 + mc_heli_z * by_psi_dot_14;
+    const double by_psi_dot_16 = by_psi_dot_13 - by_psi_dot_2;
+    const double by_psi_dot_17 = I_heli_yy * (c_eps_c_theta * v->theta - s_eps_eps_dot * s_theta);
+    const double by_psi_dot_18 = p->I_z * (s_eps_eps_dot * c_theta + c_eps_s_theta * v->theta);
+    const double by_psi_dot_19 = by_psi_dot_8 - by_psi_dot_18;
+    const double by_psi_dot_20 = mc_heli_z * by_psi_dot_12 + by_psi_dot_4 + I_heli_xx * c_eps_eps_dot;
+    const double by_psi_dot_21 = by_psi_dot_6 - by_psi_dot_9 - by_psi_dot_17;
+    const double by_psi_dot_22 = by_psi_dot_21 * c_theta + by_psi_dot_19 * s_theta;
+    const double by_psi_dot_23 = by_psi_dot_19 * c_theta - by_psi_dot_21 * s_theta;
+    const double by_psi_dot_24 = p->l_oc * (by_psi_dot_16 * c_theta + by_psi_dot_15 * s_theta);
+    const double by_psi_dot_25 = p->l_oc * (by_psi_dot_16 * s_theta - by_psi_dot_15 * c_theta);
+    const double by_psi_dot_26 = I_arm_yy_eps_dot * c_eps - I_arm_yy_c_eps * v->eps + by_psi_dot_20;
+    const double by_psi_dot_27 = c_eps * (by_psi_dot_23 + by_psi_dot_25 - by_psi_dot_10);
+    const double by_psi_dot_28 = p->c0_psi + by_psi_dot_27 + by_psi_dot_26 * s_eps;
+    const double by_psi_dot_29 = by_psi_dot_22 - by_psi_dot_24 - by_psi_dot_1 + l_eps_psi * by_psi_dot_28;
+    const double by_psi_dot_30 = by_psi_dot_20 + l_theta_psi * by_psi_dot_28 - l_theta_eps * by_psi_dot_29;
+    const double d_theta_ddot_by_psi_dot = inv_theta * by_psi_dot_30;
+    const double d_eps_ddot_by_psi_dot = inv_eps * by_psi_dot_29 - l_theta_eps * d_theta_ddot_by_psi_dot;
     const double d_psi_ddot_by_psi_dot = -l_theta_psi * d_theta_ddot_by_psi_dot
-        - inv_psi * c0_psi_plus_by_psi_dot_22
+        - inv_psi * by_psi_dot_28
         - l_eps_psi * d_eps_ddot_by_psi_dot;
     /* derivatives with respect to eps_dot */
-    const double by_eps_dot_1 = I_z_omega_heli_z * c_theta + omega_heli_y * I_z_s_theta;
+    const double by_eps_dot_1 = mc_heli_z * two_omega_heli_y * c_theta;
+    const double by_eps_dot_2 = I_z_omega_heli_z * c_theta + omega_heli_y * I_z_s_theta;
+    const double by_eps_dot_3 = omega_heli_z * I_heli_yy_c_theta + I_heli_yy_omega_heli_y * s_theta - by_eps_dot_2;
     const double two_l_oc_omega_arm_x = 2.0 * p->l_oc * omega_arm_x;
     const double two_l_oc_omega_arm_x_c_theta = two_l_oc_omega_arm_x * c_theta;
-    const double by_eps_dot_2 = mc_heli_z * (omega_arm_z + omega_heli_z * c_theta + omega_heli_y * s_theta);
-    const double by_eps_dot_3 = p->m_h * two_l_oc_omega_arm_x_c_theta + by_eps_dot_2;
-    const double by_eps_dot_4 = mc_heli_z * two_omega_heli_y * c_theta - p->m_h * two_l_oc_omega_arm_x * s_theta;
-    const double by_eps_dot_5 = I_heli_yy * (s_theta * v->theta + omega_arm_x_s_theta);
-    const double by_eps_dot_6 = p->I_z * (c_theta * v->theta + omega_arm_x_c_theta);
-    const double by_eps_dot_7 = I_heli_xx_omega_arm_z + omega_heli_z * I_heli_yy_c_theta + I_heli_yy_omega_heli_y * s_theta - by_eps_dot_1;
-    const double by_eps_dot_8 = omega_heli_x * I_z_s_theta - I_heli_xx_omega_heli_x * s_theta + by_eps_dot_5;
-    const double by_eps_dot_9 = I_heli_xx_omega_heli_x * c_theta - omega_heli_x * I_heli_yy_c_theta - by_eps_dot_6;
-    const double by_eps_dot_10 = mc_heli_z * two_l_oc_omega_arm_x_c_theta + by_eps_dot_7;
-    const double by_eps_dot_11 = by_eps_dot_8 - 2.0 * p->l_oc * mc_heli_z * v->eps;
-    const double by_eps_dot_12 = p->l_oc * (by_eps_dot_4 * c_theta + by_eps_dot_3 * s_theta);
-    const double by_eps_dot_13 = p->l_oc * (by_eps_dot_4 * s_theta - by_eps_dot_3 * c_theta);
-    const double by_eps_dot_14 = by_eps_dot_9 * c_theta - 2.0 * I_arm_yy_omega_arm_x - by_eps_dot_11 * s_theta + by_eps_dot_13;
-    const double by_eps_dot_15 = by_eps_dot_14 * c_eps + by_eps_dot_10 * s_eps;
-    const double by_eps_dot_16 = p->c0_eps + by_eps_dot_12 - by_eps_dot_11 * c_theta - by_eps_dot_9 * s_theta;
-    const double by_eps_dot_17 = l_eps_psi * by_eps_dot_15 - by_eps_dot_16;
-    const double d_theta_ddot_by_eps_dot = inv_theta * (by_eps_dot_10 + l_theta_psi * by_eps_dot_15 - l_theta_eps * by_eps_dot_17);
-    const double d_eps_ddot_by_eps_dot = inv_eps * by_eps_dot_17 - l_theta_eps * d_theta_ddot_by_eps_dot;
+    const double by_eps_dot_4 = mc_heli_z * (omega_arm_z + omega_heli_z * c_theta + omega_heli_y * s_theta);
+    const double by_eps_dot_5 = p->m_h * two_l_oc_omega_arm_x_c_theta + by_eps_dot_4;
+    const double by_eps_dot_6 = by_eps_dot_1 - p->m_h * two_l_oc_omega_arm_x * s_theta;
+    const double by_eps_dot_7 = I_heli_yy * (s_theta * v->theta + omega_arm_x_s_theta);
+    const double by_eps_dot_8 = p->I_z * (c_theta * v->theta + omega_arm_x_c_theta);
+    const double by_eps_dot_9 = omega_heli_x * I_z_s_theta - I_heli_xx_omega_heli_x * s_theta + by_eps_dot_7;
+    const double by_eps_dot_10 = I_heli_xx_omega_heli_x * c_theta - omega_heli_x * I_heli_yy_c_theta - by_eps_dot_8;
+    const double by_eps_dot_11 = mc_heli_z * two_l_oc_omega_arm_x_c_theta + I_heli_xx_omega_arm_z + by_eps_dot_3;
+    const double by_eps_dot_12 = by_eps_dot_9 - 2.0 * p->l_oc * mc_heli_z * v->eps;
+    const double by_eps_dot_13 = by_eps_dot_12 * c_theta + by_eps_dot_10 * s_theta;
+    const double by_eps_dot_14 = by_eps_dot_10 * c_theta - by_eps_dot_12 * s_theta;
+    const double by_eps_dot_15 = p->l_oc * (by_eps_dot_6 * c_theta + by_eps_dot_5 * s_theta);
+    const double by_eps_dot_16 = p->l_oc * (by_eps_dot_6 * s_theta - by_eps_dot_5 * c_theta);
+    const double by_eps_dot_17 = c_eps * (by_eps_dot_14 - 2.0 * I_arm_yy_omega_arm_x + by_eps_dot_16);
+    const double by_eps_dot_18 = by_eps_dot_17 + by_eps_dot_11 * s_eps;
+    const double by_eps_dot_19 = l_eps_psi * by_eps_dot_18 - p->c0_eps - by_eps_dot_15 + by_eps_dot_13;
+    const double by_eps_dot_20 = by_eps_dot_11 + l_theta_psi * by_eps_dot_18 - l_theta_eps * by_eps_dot_19;
+    const double d_theta_ddot_by_eps_dot = inv_theta * by_eps_dot_20;
+    const double d_eps_ddot_by_eps_dot = inv_eps * by_eps_dot_19 - l_theta_eps * d_theta_ddot_by_eps_dot;
     const double d_psi_ddot_by_eps_dot = -l_theta_psi * d_theta_ddot_by_eps_dot
-        - inv_psi * by_eps_dot_15
+        - inv_psi * by_eps_dot_18
         - l_eps_psi * d_eps_ddot_by_eps_dot;
     const double two_mc_heli_z_omega_heli_x = 2.0 * mc_heli_z * omega_heli_x;
     /* derivatives with respect to theta_dot */
     const double by_theta_dot_1 = I_z_omega_heli_z - I_heli_xx * omega_heli_z - I_heli_yy_omega_heli_z;
     const double by_theta_dot_2 = I_heli_xx * omega_heli_y - I_heli_yy_omega_heli_y + I_z_omega_heli_y;
-    const double by_theta_dot_3 = by_theta_dot_1 * c_theta + by_theta_dot_2 * s_theta - p->l_oc * two_mc_heli_z_omega_heli_x * c_theta;
-    const double by_theta_dot_4 = by_theta_dot_2 * c_theta - by_theta_dot_1 * s_theta + p->l_oc * two_mc_heli_z_omega_heli_x * s_theta;
-    const double by_theta_dot_4_c_eps = by_theta_dot_4 * c_eps;
-    const double by_theta_dot_5 = by_theta_dot_3 + l_eps_psi * by_theta_dot_4_c_eps;
-    const double d_theta_ddot_by_theta_dot = -inv_theta * (p->c0_theta - l_theta_psi * by_theta_dot_4_c_eps + l_theta_eps * by_theta_dot_5);
-    const double d_eps_ddot_by_theta_dot = inv_eps * by_theta_dot_5 - l_theta_eps * d_theta_ddot_by_theta_dot;
-    const double d_psi_ddot_by_theta_dot = -inv_psi * by_theta_dot_4_c_eps
-        - l_eps_psi * d_eps_ddot_by_theta_dot
-        - l_theta_psi * d_theta_ddot_by_theta_dot;
+    const double by_theta_dot_3 = by_theta_dot_1 * c_theta + by_theta_dot_2 * s_theta;
+    const double by_theta_dot_4 = by_theta_dot_2 * c_theta - by_theta_dot_1 * s_theta;
+    const double by_theta_dot_5 = by_theta_dot_3 - p->l_oc * two_mc_heli_z_omega_heli_x * c_theta;
+    const double by_theta_dot_6 = c_eps * (by_theta_dot_4 + p->l_oc * two_mc_heli_z_omega_heli_x * s_theta);
+    const double by_theta_dot_7 = by_theta_dot_5 + l_eps_psi * by_theta_dot_6;
+    const double d_theta_ddot_by_theta_dot = -inv_theta * (p->c0_theta - l_theta_psi * by_theta_dot_6 + l_theta_eps * by_theta_dot_7);
+    const double d_eps_ddot_by_theta_dot = inv_eps * by_theta_dot_7 - l_theta_eps * d_theta_ddot_by_theta_dot;
+    const double by_theta_dot_8 = inv_psi * by_theta_dot_6 + l_eps_psi * d_eps_ddot_by_theta_dot;
     /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = alpha_arm_x + psi_ddot * s_eps;
     const double slopes_2 = alpha_arm_z + psi_ddot * c_eps;
@@ -697,60 +711,62 @@ int googol_linearize(
     const double m_h_slopes_8 = p->m_h * slopes_8;
     const double slopes_9 = mc_heli_z * (slopes_1_minus_theta_ddot - omega_heli_y_omega_heli_z) + m_h_slopes_7;
     const double heli_6_minus_I_z_slopes_6 = heli_6 - p->I_z * slopes_6;
-    const double slopes_10 = heli_4 - I_heli_yy * slopes_5 + heli_8;
-    const double slopes_11 = m_h_slopes_8 - heli_1 - f_s;
+    const double slopes_10 = heli_2 + I_heli_xx * slopes_1_minus_theta_ddot + mc_heli_z * slopes_7;
+    const double slopes_11 = heli_4 - I_heli_yy * slopes_5 + heli_9;
+    const double slopes_12 = m_h_slopes_8 - heli_1 - f_s;
     const double slopes_9_c_theta = slopes_9 * c_theta;
+    const double slopes_12_s_theta = slopes_12 * s_theta;
     const double slopes_11_s_theta = slopes_11 * s_theta;
-    const double slopes_10_s_theta = slopes_10 * s_theta;
-    const double slopes_12 = heli_6_minus_I_z_slopes_6 * c_theta;
-    const double slopes_13 = slopes_12 - slopes_10_s_theta + p->l_oc * (slopes_11_s_theta - slopes_9_c_theta);
-    const double slopes_14 = arm_1 + heli_2 + I_heli_xx * slopes_1_minus_theta_ddot + mc_heli_z * slopes_7 - n_applied_heli_x;
-    const double slopes_15 = s_eps * (slopes_13 - omega_arm_x_I_arm_yy_eps_dot + I_arm_yy * slopes_2);
-    const double slopes_16 = p->l_oc * (alpha_arm_x + slopes_1);
-    const double slopes_17 = by_eps_8 * s_theta + slopes_16 * c_theta;
-    const double slopes_18 = mc_heli_z * (omega_heli_z * omega_arm_x_s_theta - omega_heli_y * omega_arm_x_c_theta - slopes_2);
-    const double slopes_19 = p->m_h * slopes_17 - slopes_18;
-    const double slopes_20 = p->m_h * (by_eps_8 * c_theta - slopes_16 * s_theta) - by_eps_1;
-    const double slopes_21 = I_heli_yy * (omega_arm_x_c_theta * v->theta + slopes_1 * s_theta);
-    const double slopes_22 = p->I_z * (omega_arm_x_s_theta * v->theta - slopes_1 * c_theta);
-    const double slopes_23 = I_z_omega_heli_z * omega_arm_x_s_theta
-        - omega_heli_y * I_z_omega_arm_x_c_theta
-        - by_eps_3
-        + I_heli_xx * slopes_2;
-    const double slopes_24 = omega_arm_z * I_heli_yy_omega_heli_y - by_eps_5 + omega_heli_x * by_eps_2 + slopes_22;
-    const double slopes_25 = slopes_23 + mc_heli_z * slopes_17;
-    const double slopes_26 = by_eps_4 - omega_arm_z * I_z_omega_heli_z + omega_heli_x * I_z_omega_arm_x_c_theta + slopes_21 + by_eps_6;
-    const double slopes_27 = p->l_oc * (slopes_19 * s_theta + slopes_20 * c_theta);
-    const double slopes_28 = p->l_oc * (slopes_20 * s_theta - slopes_19 * c_theta);
-    const double slopes_29 = slopes_24 * c_theta - slopes_26 * s_theta + slopes_28;
-    const double slopes_30 = slopes_14 * c_eps + s_eps * (I_arm_yy_omega_arm_x * v->eps - omega_arm_x_I_arm_yy_eps_dot + slopes_25);
-    const double slopes_31 = c_eps * (slopes_29 - omega_arm_z_I_arm_yy_eps_dot - I_arm_yy * slopes_1) - slopes_15 + slopes_30;
-    const double slopes_32 = m_h_slopes_8 - mc_heli_z * (omega_heli_y_sq - omega_heli_z * omega_heli_z);
-    const double slopes_33 = mc_heli_z * omega_heli_z * two_omega_heli_y - m_h_slopes_7;
-    const double slopes_34 = heli_5 - omega_heli_x * I_z_omega_heli_y + I_heli_yy * slopes_6;
-    const double slopes_35 = heli_3 - omega_heli_x * I_heli_yy_omega_heli_z - p->I_z * slopes_5;
-    const double slopes_36 = omega_heli_z * I_heli_yy_omega_heli_z
-        - omega_heli_y * I_heli_yy_omega_heli_y
-        - by_theta_1
-        + mc_heli_z * slopes_8;
-    const double slopes_37 = slopes_32 * c_theta - slopes_9 * s_theta;
-    const double slopes_38 = slopes_10 * c_theta + slopes_34 * s_theta;
-    const double slopes_39 = p->l_oc * (slopes_33 * c_theta - slopes_11_s_theta + slopes_9_c_theta + slopes_32 * s_theta);
-    const double slopes_40 = p->l_oc * (slopes_11 * c_theta + slopes_33 * s_theta - slopes_37);
-    const double slopes_41 = slopes_35 * c_theta - heli_6_minus_I_z_slopes_6 * s_theta - slopes_38 + slopes_40;
-    const double slopes_42 = slopes_41 * c_eps + slopes_36 * s_eps;
+    const double slopes_13 = heli_6_minus_I_z_slopes_6 * c_theta;
+    const double slopes_14 = slopes_13 - slopes_11_s_theta + p->l_oc * (slopes_12_s_theta - slopes_9_c_theta);
+    const double slopes_15 = s_eps * (slopes_14 - omega_arm_x_I_arm_yy_eps_dot + I_arm_yy * slopes_2);
+    const double slopes_16 = c_eps * (arm_1 + slopes_10 - n_applied_heli_x);
+    const double slopes_17 = p->l_oc * (alpha_arm_x + slopes_1);
+    const double slopes_18 = by_eps_11 * s_theta + slopes_17 * c_theta;
+    const double slopes_19 = p->m_h * (by_eps_11 * c_theta - slopes_17 * s_theta);
+    const double slopes_20 = omega_heli_z * omega_arm_x_s_theta - omega_heli_y * omega_arm_x_c_theta - slopes_2;
+    const double slopes_21 = p->m_h * slopes_18 - mc_heli_z * slopes_20;
+    const double slopes_19_minus_by_eps_1 = slopes_19 - by_eps_1;
+    const double slopes_22 = I_heli_yy * (omega_arm_x_c_theta * v->theta + slopes_1 * s_theta);
+    const double slopes_23 = p->I_z * (omega_arm_x_s_theta * v->theta - slopes_1 * c_theta);
+    const double by_eps_8_plus_slopes_23 = by_eps_8 + slopes_23;
+    const double slopes_24 = by_eps_4 + I_heli_xx * slopes_2 + mc_heli_z * slopes_18;
+    const double slopes_25 = by_eps_6 + slopes_22 + by_eps_9;
+    const double slopes_26 = slopes_25 * c_theta + by_eps_8_plus_slopes_23 * s_theta;
+    const double slopes_27 = by_eps_8_plus_slopes_23 * c_theta - slopes_25 * s_theta;
+    const double slopes_28 = p->l_oc * (slopes_21 * s_theta + slopes_19_minus_by_eps_1 * c_theta);
+    const double slopes_29 = p->l_oc * (slopes_19_minus_by_eps_1 * s_theta - slopes_21 * c_theta);
+    const double slopes_30 = slopes_27 + slopes_29 - omega_arm_z_I_arm_yy_eps_dot - I_arm_yy * slopes_1;
+    const double slopes_31 = slopes_30 * c_eps - slopes_15;
+    const double slopes_32 = s_eps * (I_arm_yy_omega_arm_x * v->eps - omega_arm_x_I_arm_yy_eps_dot + slopes_24);
+    const double slopes_33 = slopes_31 + slopes_16 + slopes_32;
+    const double slopes_34 = m_h_slopes_8 - mc_heli_z * (omega_heli_y_sq - omega_heli_z * omega_heli_z);
+    const double slopes_35 = mc_heli_z * omega_heli_z * two_omega_heli_y - m_h_slopes_7;
+    const double slopes_36 = heli_5 - omega_heli_x * I_z_omega_heli_y + I_heli_yy * slopes_6;
+    const double slopes_37 = heli_3 - omega_heli_x * I_heli_yy_omega_heli_z - p->I_z * slopes_5;
+    const double slopes_38 = by_theta_2 + mc_heli_z * slopes_8;
+    const double slopes_39 = slopes_34 * c_theta - slopes_9 * s_theta;
+    const double slopes_40 = slopes_12 * c_theta + slopes_35 * s_theta;
+    const double slopes_41 = slopes_9_c_theta + slopes_34 * s_theta;
+    const double slopes_42 = slopes_13 + slopes_37 * s_theta;
+    const double slopes_43 = slopes_11 * c_theta + slopes_36 * s_theta;
+    const double slopes_44 = slopes_37 * c_theta - heli_6_minus_I_z_slopes_6 * s_theta;
+    const double slopes_45 = slopes_36 * c_theta - slopes_11_s_theta + slopes_42;
+    const double slopes_46 = p->l_oc * (slopes_35 * c_theta - slopes_12_s_theta + slopes_41);
+    const double slopes_47 = slopes_44 - slopes_43 + p->l_oc * (slopes_40 - slopes_39);
+    const double slopes_48 = slopes_47 * c_eps + slopes_38 * s_eps;
     /* derivatives with respect to eps */
-    const double by_eps_9 = slopes_26 * c_theta + slopes_24 * s_theta - slopes_27 - by_eps_7;
-    const double by_eps_10 = by_eps_9 + l_eps_psi * slopes_31;
-    const double d_theta_ddot_by_eps = inv_theta * (slopes_25 + l_theta_psi * slopes_31 - l_theta_eps * by_eps_10);
-    const double d_eps_ddot_by_eps = inv_eps * by_eps_10 - l_theta_eps * d_theta_ddot_by_eps;
-    const double d_psi_ddot_by_eps = -l_theta_psi * d_theta_ddot_by_eps - inv_psi * slopes_31 - l_eps_psi * d_eps_ddot_by_eps;
+    const double by_eps_12 = slopes_26 - slopes_28 - by_eps_10 + l_eps_psi * slopes_33;
+    const double by_eps_13 = slopes_24 + l_theta_psi * slopes_33 - l_theta_eps * by_eps_12;
+    const double d_theta_ddot_by_eps = inv_theta * by_eps_13;
+    const double d_eps_ddot_by_eps = inv_eps * by_eps_12 - l_theta_eps * d_theta_ddot_by_eps;
+    const double d_psi_ddot_by_eps = -l_theta_psi * d_theta_ddot_by_eps - inv_psi * slopes_33 - l_eps_psi * d_eps_ddot_by_eps;
     /* derivatives with respect to theta */
-    const double by_theta_2 = slopes_34 * c_theta - slopes_10_s_theta + slopes_12 + slopes_35 * s_theta - slopes_39;
-    const double by_theta_3 = by_theta_2 + l_eps_psi * slopes_42;
-    const double d_theta_ddot_by_theta = inv_theta * (slopes_36 + l_theta_psi * slopes_42 - l_theta_eps * by_theta_3);
+    const double by_theta_3 = slopes_45 - slopes_46 + l_eps_psi * slopes_48;
+    const double by_theta_4 = slopes_38 + l_theta_psi * slopes_48 - l_theta_eps * by_theta_3;
+    const double d_theta_ddot_by_theta = inv_theta * by_theta_4;
     const double d_eps_ddot_by_theta = inv_eps * by_theta_3 - l_theta_eps * d_theta_ddot_by_theta;
-    const double d_psi_ddot_by_theta = -l_theta_psi * d_theta_ddot_by_theta - inv_psi * slopes_42 - l_eps_psi * d_eps_ddot_by_theta;
+    const double d_psi_ddot_by_theta = -l_theta_psi * d_theta_ddot_by_theta - inv_psi * slopes_48 - l_eps_psi * d_eps_ddot_by_theta;
     /* derivatives with respect to f_1 */
     const double by_f_1_1 = l_oc_c_theta - l_eps_psi * input_map_1;
     const double d_theta_ddot_by_f_1 = inv_theta * (p->l_df - l_theta_psi * input_map_1 - l_theta_eps * by_f_1_1);
@@ -788,7 +804,7 @@ int googol_linearize(
     a[3][2] = d_psi_ddot_by_theta;
     a[3][3] = d_psi_ddot_by_psi_dot;
     a[3][4] = d_psi_ddot_by_eps_dot;
-    a[3][5] = d_psi_ddot_by_theta_dot;
+    a[3][5] = -by_theta_dot_8 - l_theta_psi * d_theta_ddot_by_theta_dot;
     a[4][1] = d_eps_ddot_by_eps; /* eps'' */
     a[4][2] = d_eps_ddot_by_theta;
     a[4][3] = d_eps_ddot_by_psi_dot;
@@ -860,13 +876,15 @@ int googol_parameter_jacobian(
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
+    const double heli_4 = I_heli_xx * alpha_arm_x - omega_heli_z * I_heli_yy_omega_heli_y + omega_heli_y * I_z_omega_heli_z;
+    const double heli_5 = heli_2 + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
     const double n_moving_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x - heli_3;
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
     const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
     const double I_heli_yy_c_theta = I_heli_yy * c_theta;
     const double I_z_s_theta = p->I_z * s_theta;
-    const double heli_4 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
+    const double heli_6 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_x = p->g * s_eps - p->l_oc * arm_1;
     const double a_heli_1_z = p->l_oc * omega_arm_z_omega_arm_x + a_arm_z;
@@ -874,21 +892,21 @@ int googol_parameter_jacobian(
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y_omega_heli_z);
-    const double n_heli_x = I_heli_xx * alpha_arm_x
-        - omega_heli_z * I_heli_yy_omega_heli_y
-        + omega_heli_y * I_z_omega_heli_z
-        - mc_heli_z * a_heli_y;
-    const double n_heli_y = heli_2 + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z + mc_heli_z * a_heli_1_x;
+    const double n_heli_x = heli_4 - mc_heli_z * a_heli_y;
+    const double n_heli_y = heli_5 + mc_heli_z * a_heli_1_x;
     const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
     const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
     const double f_net_heli_z = p->m_h * a_heli_z - mc_heli_z_heli_1 - f_s;
     const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
     const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
-    const double M_psi_eps = c_eps * (I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta) - M_eps_theta * s_eps;
-    const double arm_2 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_4 + l_oc_m_h_l_oc);
-    const double M_psi_psi = c_eps * (arm_2 - l_oc_mc_heli_z_c_theta * s_eps) - M_psi_theta * s_eps;
+    const double arm_2 = I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta;
+    const double M_psi_eps = arm_2 * c_eps - M_eps_theta * s_eps;
+    const double arm_3 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_6 + l_oc_m_h_l_oc);
+    const double arm_4 = c_eps * (arm_3 - l_oc_mc_heli_z_c_theta * s_eps);
+    const double M_psi_psi = arm_4 - M_psi_theta * s_eps;
     const double n_net_arm_z = n_heli_1_z + p->l_oc * f_net_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x * I_arm_yy_eps_dot;
+    const double arm_5 = omega_arm_x * I_arm_yy_omega_arm_z + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_net_heli_1_z;
     /* force rotor_2 on heli */
     const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     const double c_eps_s_theta = c_eps * s_theta;
@@ -897,25 +915,20 @@ int googol_parameter_jacobian(
     const double n_net_column_z = n_net_arm_z * c_eps + n_net_arm_x * s_eps;
     /* balance of forces */
     const double tau_psi = -p->c0_psi * v->psi - n_net_column_z;
-    const double tau_eps = n_heli_1_y
-        - p->c0_eps * v->eps
-        - omega_arm_x * I_arm_yy_omega_arm_z
-        - mc_arm_x * a_arm_z
-        - p->l_oc * f_net_heli_1_z;
     const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_applied_heli_x;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / M_psi_psi;
     const double l_eps_psi = M_psi_eps * inv_psi;
     const double l_theta_psi = M_psi_theta * inv_psi;
     const double M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
-    const double pivot_eps = I_arm_yy + heli_4 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
+    const double pivot_eps = I_arm_yy + heli_6 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
     const double inv_eps = 1.0 / pivot_eps;
     const double l_theta_eps = inv_eps * (M_eps_theta - l_theta_psi * M_psi_psi_l_eps_psi);
     const double pivot_theta = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     const double inv_theta = 1.0 / pivot_theta;
-    const double solve_1 = tau_eps - tau_psi * l_eps_psi;
-    const double theta_ddot = -inv_theta * (tau_psi * l_theta_psi - tau_theta + l_theta_eps * solve_1);
-    const double eps_ddot = inv_eps * solve_1 - l_theta_eps * theta_ddot;
+    const double solve_1 = tau_psi * l_eps_psi + p->c0_eps * v->eps + arm_5;
+    const double theta_ddot = -inv_theta * (tau_psi * l_theta_psi - tau_theta - l_theta_eps * solve_1);
+    const double eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
     const double psi_ddot = tau_psi * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = alpha_arm_z + psi_ddot * c_eps;
@@ -932,16 +945,18 @@ int googol_parameter_jacobian(
     const double slopes_9 = slopes_6 - omega_heli_y_omega_heli_z;
     const double slopes_10 = mc_heli_z * slopes_9 + m_h_slopes_7;
     const double slopes_11 = p->m_h * slopes_8 - mc_heli_z_heli_1 - f_s;
+    const double slopes_12 = slopes_11 * s_theta - slopes_10 * c_theta;
+    const double slopes_13 = slopes_11 * c_theta + slopes_10 * s_theta;
     const double l_cd_slopes_9_minus_slopes_7 = p->l_cd * slopes_9 - slopes_7;
     const double slopes_8_plus_l_cd_heli_1 = slopes_8 + p->l_cd * heli_1;
-    const double slopes_12 = p->l_oc * (slopes_8_plus_l_cd_heli_1 * c_theta - l_cd_slopes_9_minus_slopes_7 * s_theta);
-    const double slopes_13 = p->l_oc * (l_cd_slopes_9_minus_slopes_7 * c_theta + slopes_8_plus_l_cd_heli_1 * s_theta);
-    const double slopes_14 = slopes_2 * s_theta - alpha_arm_z_plus_slopes_1 * c_theta;
-    const double m_h_slopes_14 = p->m_h * slopes_14;
-    const double slopes_15 = p->m_h * (slopes_2 * c_theta + alpha_arm_z_plus_slopes_1 * s_theta);
-    const double mc_heli_z_slopes_14 = mc_heli_z * slopes_14;
-    const double slopes_16 = p->l_oc * (m_h_slopes_14 * s_theta + slopes_15 * c_theta);
-    const double slopes_17 = p->l_oc * (slopes_15 * s_theta - m_h_slopes_14 * c_theta);
+    const double slopes_14 = p->l_oc * (slopes_8_plus_l_cd_heli_1 * c_theta - l_cd_slopes_9_minus_slopes_7 * s_theta);
+    const double slopes_15 = p->l_oc * (l_cd_slopes_9_minus_slopes_7 * c_theta + slopes_8_plus_l_cd_heli_1 * s_theta);
+    const double slopes_16 = slopes_2 * s_theta - alpha_arm_z_plus_slopes_1 * c_theta;
+    const double m_h_slopes_16 = p->m_h * slopes_16;
+    const double slopes_17 = p->m_h * (slopes_2 * c_theta + alpha_arm_z_plus_slopes_1 * s_theta);
+    const double mc_heli_z_slopes_16 = mc_heli_z * slopes_16;
+    const double slopes_18 = p->l_oc * (m_h_slopes_16 * s_theta + slopes_17 * c_theta);
+    const double slopes_19 = p->l_oc * (slopes_17 * s_theta - m_h_slopes_16 * c_theta);
     const double m_h_slopes_9 = p->m_h * slopes_9;
     const double l_cd_sq = p->l_cd * p->l_cd;
     const double omega_heli_x_l_cd_sq = omega_heli_x * l_cd_sq;
@@ -951,30 +966,43 @@ int googol_parameter_jacobian(
     const double l_oa_sq = p->l_oa * p->l_oa;
     const double l_oa_sq_eps_dot = l_oa_sq * v->eps;
     const double omega_arm_z_l_oa_sq = omega_arm_z * l_oa_sq;
+    /* derivatives with respect to m_b */
+    const double by_m_b_1 = s_eps * (omega_arm_z * l_oa_sq_eps_dot - omega_arm_z_l_oa_sq * v->eps);
     const double l_ob_sq = p->l_ob * p->l_ob;
     const double l_ob_sq_eps_dot = l_ob_sq * v->eps;
     const double omega_arm_z_l_ob_sq = omega_arm_z * l_ob_sq;
+    /* derivatives with respect to m_c */
+    const double by_m_c_1 = s_eps * (omega_arm_z * l_ob_sq_eps_dot - omega_arm_z_l_ob_sq * v->eps);
+    const double by_m_c_2 = p->l_ob * a_arm_z - omega_arm_x * omega_arm_z_l_ob_sq - eps_ddot * l_ob_sq;
     const double mc_heli_z_s_eps = mc_heli_z * s_eps;
     const double m_h_c_eps_s_theta = p->m_h * c_eps_s_theta;
     const double m_h_c_eps_c_theta = p->m_h * c_eps * c_theta;
     const double mc_heli_z_c_eps_s_theta = mc_heli_z * c_eps_s_theta;
     /* derivatives with respect to g */
-    const double by_g_1 = p->l_oc * (m_h_c_eps_s_theta * s_theta + m_h_c_eps_c_theta * c_theta) - mc_heli_z_s_eps * c_theta;
-    const double by_g_2 = p->l_oc * (m_h_c_eps_c_theta * s_theta - m_h_c_eps_s_theta * c_theta) - mc_heli_z_s_eps * s_theta;
-    const double by_g_3 = mc_heli_z_c_eps_s_theta * s_eps + by_g_2 * c_eps;
-    const double by_g_4 = mc_arm_x * c_eps + by_g_1 - l_eps_psi * by_g_3;
-    const double d_theta_ddot_by_g = inv_theta * (l_theta_psi * by_g_3 + mc_heli_z_c_eps_s_theta + l_theta_eps * by_g_4);
-    const double d_eps_ddot_by_g = -inv_eps * by_g_4 - l_theta_eps * d_theta_ddot_by_g;
-    const double d_psi_ddot_by_g = -inv_psi * by_g_3 - l_eps_psi * d_eps_ddot_by_g - l_theta_psi * d_theta_ddot_by_g;
+    const double by_g_1 = p->l_oc * (m_h_c_eps_s_theta * s_theta + m_h_c_eps_c_theta * c_theta);
+    const double by_g_2 = p->l_oc * (m_h_c_eps_c_theta * s_theta - m_h_c_eps_s_theta * c_theta);
+    const double by_g_3 = mc_arm_x * c_eps - mc_heli_z_s_eps * c_theta + by_g_1;
+    const double by_g_4 = c_eps * (by_g_2 - mc_heli_z_s_eps * s_theta);
+    const double by_g_5 = mc_heli_z_c_eps_s_theta * s_eps + by_g_4;
+    const double by_g_6 = by_g_3 - l_eps_psi * by_g_5;
+    const double by_g_7 = l_theta_psi * by_g_5 + mc_heli_z_c_eps_s_theta + l_theta_eps * by_g_6;
+    const double d_theta_ddot_by_g = inv_theta * by_g_7;
+    const double d_eps_ddot_by_g = -inv_eps * by_g_6 - l_theta_eps * d_theta_ddot_by_g;
+    const double d_psi_ddot_by_g = -inv_psi * by_g_5 - l_eps_psi * d_eps_ddot_by_g - l_theta_psi * d_theta_ddot_by_g;
     const double mc_heli_z_arm_1 = mc_heli_z * arm_1;
     /* derivatives with respect to l_oc */
-    const double by_l_oc_1 = mc_heli_z_arm_1 * c_theta + slopes_11 * c_theta + slopes_10 * s_theta + slopes_16;
+    const double by_l_oc_1 = mc_heli_z_arm_1 * c_theta + slopes_13 + slopes_18;
     const double two_m_c_l_ob = 2.0 * m_c_l_ob;
     const double two_m_c_l_ob_eps_dot = two_m_c_l_ob * v->eps;
     const double omega_arm_z_two_m_c_l_ob = omega_arm_z * two_m_c_l_ob;
+    /* derivatives with respect to l_ob */
+    const double by_l_ob_1 = s_eps * (omega_arm_z * two_m_c_l_ob_eps_dot - omega_arm_z_two_m_c_l_ob * v->eps);
+    const double by_l_ob_2 = p->m_c * a_arm_z - omega_arm_x * omega_arm_z_two_m_c_l_ob - eps_ddot * two_m_c_l_ob;
     const double two_m_b_l_oa = 2.0 * m_b_l_oa;
     const double two_m_b_l_oa_eps_dot = two_m_b_l_oa * v->eps;
     const double omega_arm_z_two_m_b_l_oa = omega_arm_z * two_m_b_l_oa;
+    /* derivatives with respect to l_oa */
+    const double by_l_oa_1 = s_eps * (omega_arm_z * two_m_b_l_oa_eps_dot - omega_arm_z_two_m_b_l_oa * v->eps);
     const double two_mc_heli_z = 2.0 * mc_heli_z;
     const double m_h_heli_1 = p->m_h * heli_1;
     const double omega_heli_x_two_mc_heli_z = omega_heli_x * two_mc_heli_z;
@@ -991,72 +1019,92 @@ int googol_parameter_jacobian(
     /* derivatives with respect to I_x */
     const double by_I_x_1 = omega_heli_z_omega_heli_x * c_theta;
     const double by_I_x_2 = omega_heli_z_omega_heli_x * s_theta;
+    const double by_I_x_3 = c_eps * (-omega_heli_y_omega_heli_x * c_theta - by_I_x_2);
     /* slopes of the balance of forces, at the accelerations found */
-    const double slopes_18 = slopes_6 * l_cd_sq - omega_heli_z * omega_heli_y_l_cd_sq - p->l_cd * slopes_7;
-    const double slopes_19 = omega_heli_z * omega_heli_x_l_cd_sq - slopes_4 * l_cd_sq - p->l_cd * a_heli_1_x;
-    const double slopes_20 = c_eps * (by_m_h_1 * c_theta - slopes_19 * s_theta + slopes_13);
-    const double slopes_21 = slopes_20 + slopes_18 * s_eps;
-    const double slopes_22 = c_eps * (omega_arm_x * l_oa_sq_eps_dot - slopes_1 * l_oa_sq);
-    const double slopes_23 = c_eps * (omega_arm_x * l_ob_sq_eps_dot - slopes_1 * l_ob_sq);
-    const double slopes_24 = slopes_11 * s_theta - slopes_10 * c_theta + slopes_17 + mc_heli_z_arm_1 * s_theta;
-    const double slopes_25 = c_eps * (omega_arm_x * two_m_c_l_ob_eps_dot - slopes_1 * two_m_c_l_ob);
-    const double slopes_26 = c_eps * (omega_arm_x * two_m_b_l_oa_eps_dot - slopes_1 * two_m_b_l_oa);
-    const double slopes_27 = omega_heli_z * omega_heli_y_two_mc_heli_z - slopes_6 * two_mc_heli_z - m_h_slopes_7;
-    const double slopes_28 = slopes_4 * two_mc_heli_z - omega_heli_z * omega_heli_x_two_mc_heli_z - p->m_h * a_heli_1_x;
-    const double slopes_29 = p->l_oc * (m_h_heli_1 * c_theta - m_h_slopes_9 * s_theta);
-    const double slopes_30 = p->l_oc * (m_h_heli_1 * s_theta + m_h_slopes_9 * c_theta);
-    const double slopes_31 = c_eps * (by_l_cd_1 * c_theta - slopes_28 * s_theta + slopes_30);
-    const double slopes_32 = slopes_31 + slopes_27 * s_eps;
-    const double slopes_33 = c_eps * (-omega_heli_y_omega_heli_x * c_theta - by_I_x_2) + slopes_6 * s_eps;
+    const double slopes_20 = slopes_6 * l_cd_sq - omega_heli_z * omega_heli_y_l_cd_sq;
+    const double slopes_21 = slopes_20 - p->l_cd * slopes_7;
+    const double slopes_22 = omega_heli_z * omega_heli_x_l_cd_sq - slopes_4 * l_cd_sq - p->l_cd * a_heli_1_x;
+    const double slopes_23 = by_m_h_1 * s_theta + slopes_22 * c_theta;
+    const double slopes_24 = by_m_h_1 * c_theta - slopes_22 * s_theta;
+    const double slopes_25 = c_eps * (slopes_24 + slopes_15);
+    const double slopes_26 = slopes_25 + slopes_21 * s_eps;
+    const double slopes_27 = p->l_oa * a_arm_z + omega_arm_x * omega_arm_z_l_oa_sq + eps_ddot * l_oa_sq;
+    const double slopes_28 = c_eps * (omega_arm_x * l_oa_sq_eps_dot - slopes_1 * l_oa_sq);
+    const double slopes_29 = c_eps * (omega_arm_x * l_ob_sq_eps_dot - slopes_1 * l_ob_sq);
+    const double slopes_30 = slopes_12 + slopes_19 + mc_heli_z_arm_1 * s_theta;
+    const double slopes_31 = c_eps * (omega_arm_x * two_m_c_l_ob_eps_dot - slopes_1 * two_m_c_l_ob);
+    const double slopes_32 = p->m_b * a_arm_z + omega_arm_x * omega_arm_z_two_m_b_l_oa + eps_ddot * two_m_b_l_oa;
+    const double slopes_33 = c_eps * (omega_arm_x * two_m_b_l_oa_eps_dot - slopes_1 * two_m_b_l_oa);
+    const double slopes_34 = omega_heli_z * omega_heli_y_two_mc_heli_z - slopes_6 * two_mc_heli_z - m_h_slopes_7;
+    const double slopes_35 = slopes_4 * two_mc_heli_z - omega_heli_z * omega_heli_x_two_mc_heli_z - p->m_h * a_heli_1_x;
+    const double slopes_36 = by_l_cd_1 * s_theta + slopes_35 * c_theta;
+    const double slopes_37 = by_l_cd_1 * c_theta - slopes_35 * s_theta;
+    const double slopes_38 = p->l_oc * (m_h_heli_1 * c_theta - m_h_slopes_9 * s_theta);
+    const double slopes_39 = p->l_oc * (m_h_heli_1 * s_theta + m_h_slopes_9 * c_theta);
+    const double slopes_40 = c_eps * (slopes_37 + slopes_39);
+    const double slopes_41 = slopes_40 + slopes_34 * s_eps;
+    const double by_I_x_3_plus_slopes_6_s_eps = by_I_x_3 + slopes_6 * s_eps;
+    const double slopes_42 = c_eps * (by_I_x_2 - slopes_5 * c_theta);
     /* derivatives with respect to m_h */
-    const double by_m_h_2 = by_m_h_1 * s_theta + slopes_19 * c_theta - slopes_12 + l_eps_psi * slopes_21;
-    const double d_theta_ddot_by_m_h = inv_theta * (slopes_18 + l_theta_psi * slopes_21 - l_theta_eps * by_m_h_2);
+    const double by_m_h_2 = slopes_23 - slopes_14 + l_eps_psi * slopes_26;
+    const double by_m_h_3 = slopes_21 + l_theta_psi * slopes_26 - l_theta_eps * by_m_h_2;
+    const double d_theta_ddot_by_m_h = inv_theta * by_m_h_3;
     const double d_eps_ddot_by_m_h = inv_eps * by_m_h_2 - l_theta_eps * d_theta_ddot_by_m_h;
-    const double d_psi_ddot_by_m_h = -l_theta_psi * d_theta_ddot_by_m_h - inv_psi * slopes_21 - l_eps_psi * d_eps_ddot_by_m_h;
+    const double d_psi_ddot_by_m_h = -l_theta_psi * d_theta_ddot_by_m_h - inv_psi * slopes_26 - l_eps_psi * d_eps_ddot_by_m_h;
+    const double slopes_28_minus_by_m_b_1 = slopes_28 - by_m_b_1;
     /* derivatives with respect to m_b */
-    const double by_m_b_1 = slopes_22 - s_eps * (omega_arm_z * l_oa_sq_eps_dot - omega_arm_z_l_oa_sq * v->eps);
-    const double by_m_b_2 = p->l_oa * a_arm_z + omega_arm_x * omega_arm_z_l_oa_sq + eps_ddot * l_oa_sq + l_eps_psi * by_m_b_1;
-    const double d_theta_ddot_by_m_b = inv_theta * (l_theta_eps * by_m_b_2 - l_theta_psi * by_m_b_1);
+    const double by_m_b_2 = slopes_27 + l_eps_psi * slopes_28_minus_by_m_b_1;
+    const double d_theta_ddot_by_m_b = inv_theta * (l_theta_eps * by_m_b_2 - l_theta_psi * slopes_28_minus_by_m_b_1);
     const double d_eps_ddot_by_m_b = -inv_eps * by_m_b_2 - l_theta_eps * d_theta_ddot_by_m_b;
-    const double d_psi_ddot_by_m_b = inv_psi * by_m_b_1 - l_eps_psi * d_eps_ddot_by_m_b - l_theta_psi * d_theta_ddot_by_m_b;
+    const double d_psi_ddot_by_m_b = inv_psi * slopes_28_minus_by_m_b_1 - l_eps_psi * d_eps_ddot_by_m_b - l_theta_psi * d_theta_ddot_by_m_b;
+    const double slopes_29_minus_by_m_c_1 = slopes_29 - by_m_c_1;
     /* derivatives with respect to m_c */
-    const double by_m_c_1 = slopes_23 - s_eps * (omega_arm_z * l_ob_sq_eps_dot - omega_arm_z_l_ob_sq * v->eps);
-    const double by_m_c_2 = p->l_ob * a_arm_z - omega_arm_x * omega_arm_z_l_ob_sq - eps_ddot * l_ob_sq - l_eps_psi * by_m_c_1;
-    const double d_theta_ddot_by_m_c = inv_theta * (-l_theta_psi * by_m_c_1 - l_theta_eps * by_m_c_2);
-    const double d_eps_ddot_by_m_c = inv_eps * by_m_c_2 - l_theta_eps * d_theta_ddot_by_m_c;
-    const double d_psi_ddot_by_m_c = inv_psi * by_m_c_1 - l_eps_psi * d_eps_ddot_by_m_c - l_theta_psi * d_theta_ddot_by_m_c;
+    const double by_m_c_3 = by_m_c_2 - l_eps_psi * slopes_29_minus_by_m_c_1;
+    const double d_theta_ddot_by_m_c = inv_theta * (-l_theta_psi * slopes_29_minus_by_m_c_1 - l_theta_eps * by_m_c_3);
+    const double d_eps_ddot_by_m_c = inv_eps * by_m_c_3 - l_theta_eps * d_theta_ddot_by_m_c;
+    const double d_psi_ddot_by_m_c = inv_psi * slopes_29_minus_by_m_c_1 - l_eps_psi * d_eps_ddot_by_m_c - l_theta_psi * d_theta_ddot_by_m_c;
     /* derivatives with respect to l_oc */
-    const double by_l_oc_2 = mc_heli_z_slopes_14 * s_eps + slopes_24 * c_eps;
+    const double by_l_oc_2 = mc_heli_z_slopes_16 * s_eps + slopes_30 * c_eps;
     const double by_l_oc_3 = l_eps_psi * by_l_oc_2 - by_l_oc_1;
-    const double d_theta_ddot_by_l_oc = inv_theta * (l_theta_psi * by_l_oc_2 + mc_heli_z_slopes_14 - l_theta_eps * by_l_oc_3);
+    const double by_l_oc_4 = l_theta_psi * by_l_oc_2 + mc_heli_z_slopes_16 - l_theta_eps * by_l_oc_3;
+    const double d_theta_ddot_by_l_oc = inv_theta * by_l_oc_4;
     const double d_eps_ddot_by_l_oc = inv_eps * by_l_oc_3 - l_theta_eps * d_theta_ddot_by_l_oc;
     const double d_psi_ddot_by_l_oc = -inv_psi * by_l_oc_2 - l_eps_psi * d_eps_ddot_by_l_oc - l_theta_psi * d_theta_ddot_by_l_oc;
+    const double slopes_31_minus_by_l_ob_1 = slopes_31 - by_l_ob_1;
     /* derivatives with respect to l_ob */
-    const double by_l_ob_1 = slopes_25 - s_eps * (omega_arm_z * two_m_c_l_ob_eps_dot - omega_arm_z_two_m_c_l_ob * v->eps);
-    const double by_l_ob_2 = p->m_c * a_arm_z - omega_arm_x * omega_arm_z_two_m_c_l_ob - eps_ddot * two_m_c_l_ob - l_eps_psi * by_l_ob_1;
-    const double d_theta_ddot_by_l_ob = inv_theta * (-l_theta_psi * by_l_ob_1 - l_theta_eps * by_l_ob_2);
-    const double d_eps_ddot_by_l_ob = inv_eps * by_l_ob_2 - l_theta_eps * d_theta_ddot_by_l_ob;
-    const double d_psi_ddot_by_l_ob = inv_psi * by_l_ob_1 - l_eps_psi * d_eps_ddot_by_l_ob - l_theta_psi * d_theta_ddot_by_l_ob;
+    const double by_l_ob_3 = by_l_ob_2 - l_eps_psi * slopes_31_minus_by_l_ob_1;
+    const double d_theta_ddot_by_l_ob = inv_theta * (-l_theta_psi * slopes_31_minus_by_l_ob_1 - l_theta_eps * by_l_ob_3);
+    const double d_eps_ddot_by_l_ob = inv_eps * by_l_ob_3 - l_theta_eps * d_theta_ddot_by_l_ob;
+    const double d_psi_ddot_by_l_ob = inv_psi * slopes_31_minus_by_l_ob_1
+        - l_eps_psi * d_eps_ddot_by_l_ob
+        - l_theta_psi * d_theta_ddot_by_l_ob;
+    const double slopes_33_minus_by_l_oa_1 = slopes_33 - by_l_oa_1;
     /* derivatives with respect to l_oa */
-    const double by_l_oa_1 = slopes_26 - s_eps * (omega_arm_z * two_m_b_l_oa_eps_dot - omega_arm_z_two_m_b_l_oa * v->eps);
-    const double by_l_oa_2 = p->m_b * a_arm_z + omega_arm_x * omega_arm_z_two_m_b_l_oa + eps_ddot * two_m_b_l_oa + l_eps_psi * by_l_oa_1;
-    const double d_theta_ddot_by_l_oa = inv_theta * (l_theta_eps * by_l_oa_2 - l_theta_psi * by_l_oa_1);
+    const double by_l_oa_2 = slopes_32 + l_eps_psi * slopes_33_minus_by_l_oa_1;
+    const double d_theta_ddot_by_l_oa = inv_theta * (l_theta_eps * by_l_oa_2 - l_theta_psi * slopes_33_minus_by_l_oa_1);
     const double d_eps_ddot_by_l_oa = -inv_eps * by_l_oa_2 - l_theta_eps * d_theta_ddot_by_l_oa;
-    const double d_psi_ddot_by_l_oa = inv_psi * by_l_oa_1 - l_eps_psi * d_eps_ddot_by_l_oa - l_theta_psi * d_theta_ddot_by_l_oa;
+    const double d_psi_ddot_by_l_oa = inv_psi * slopes_33_minus_by_l_oa_1
+        - l_eps_psi * d_eps_ddot_by_l_oa
+        - l_theta_psi * d_theta_ddot_by_l_oa;
     /* derivatives with respect to l_cd */
-    const double by_l_cd_2 = by_l_cd_1 * s_theta + slopes_28 * c_theta - slopes_29 + l_eps_psi * slopes_32;
-    const double d_theta_ddot_by_l_cd = inv_theta * (slopes_27 + l_theta_psi * slopes_32 - l_theta_eps * by_l_cd_2);
+    const double by_l_cd_2 = slopes_36 - slopes_38 + l_eps_psi * slopes_41;
+    const double by_l_cd_3 = slopes_34 + l_theta_psi * slopes_41 - l_theta_eps * by_l_cd_2;
+    const double d_theta_ddot_by_l_cd = inv_theta * by_l_cd_3;
     const double d_eps_ddot_by_l_cd = inv_eps * by_l_cd_2 - l_theta_eps * d_theta_ddot_by_l_cd;
-    const double d_psi_ddot_by_l_cd = -l_theta_psi * d_theta_ddot_by_l_cd - inv_psi * slopes_32 - l_eps_psi * d_eps_ddot_by_l_cd;
+    const double d_psi_ddot_by_l_cd = -l_theta_psi * d_theta_ddot_by_l_cd - inv_psi * slopes_41 - l_eps_psi * d_eps_ddot_by_l_cd;
     /* derivatives with respect to I_x */
-    const double by_I_x_3 = by_I_x_1 - omega_heli_y_omega_heli_x * s_theta + l_eps_psi * slopes_33;
-    const double d_theta_ddot_by_I_x = inv_theta * (slopes_6 + l_theta_psi * slopes_33 - l_theta_eps * by_I_x_3);
-    const double d_eps_ddot_by_I_x = inv_eps * by_I_x_3 - l_theta_eps * d_theta_ddot_by_I_x;
-    const double d_psi_ddot_by_I_x = -l_theta_psi * d_theta_ddot_by_I_x - inv_psi * slopes_33 - l_eps_psi * d_eps_ddot_by_I_x;
+    const double by_I_x_4 = by_I_x_1 - omega_heli_y_omega_heli_x * s_theta + l_eps_psi * by_I_x_3_plus_slopes_6_s_eps;
+    const double by_I_x_5 = slopes_6 + l_theta_psi * by_I_x_3_plus_slopes_6_s_eps - l_theta_eps * by_I_x_4;
+    const double d_theta_ddot_by_I_x = inv_theta * by_I_x_5;
+    const double d_eps_ddot_by_I_x = inv_eps * by_I_x_4 - l_theta_eps * d_theta_ddot_by_I_x;
+    const double d_psi_ddot_by_I_x = -l_theta_psi * d_theta_ddot_by_I_x
+        - inv_psi * by_I_x_3_plus_slopes_6_s_eps
+        - l_eps_psi * d_eps_ddot_by_I_x;
     /* derivatives with respect to I_z */
-    const double by_I_z_1 = omega_heli_y_omega_heli_z * s_eps + c_eps * (by_I_x_2 - slopes_5 * c_theta);
+    const double by_I_z_1 = omega_heli_y_omega_heli_z * s_eps + slopes_42;
     const double by_I_z_2 = by_I_x_1 + slopes_5 * s_theta - l_eps_psi * by_I_z_1;
-    const double d_theta_ddot_by_I_z = inv_theta * (l_theta_psi * by_I_z_1 + omega_heli_y_omega_heli_z + l_theta_eps * by_I_z_2);
+    const double by_I_z_3 = l_theta_psi * by_I_z_1 + omega_heli_y_omega_heli_z + l_theta_eps * by_I_z_2;
+    const double d_theta_ddot_by_I_z = inv_theta * by_I_z_3;
     const double d_eps_ddot_by_I_z = -inv_eps * by_I_z_2 - l_theta_eps * d_theta_ddot_by_I_z;
     const double d_psi_ddot_by_I_z = -inv_psi * by_I_z_1 - l_eps_psi * d_eps_ddot_by_I_z - l_theta_psi * d_theta_ddot_by_I_z;
     const double l_eps_psi_psi_dot = l_eps_psi * v->psi;

@@ -104,8 +104,9 @@ void googol_eq13_generalized_force(
     const double c_theta = cos(q->theta);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double l_df_f_d_s_theta_s_eps = p->l_df * f_d * s_theta * s_eps;
     /* equation of psi */
-    const double Q_psi = p->l_oc * f_s * c_eps * s_theta - p->l_df * f_d * s_theta * s_eps;
+    const double Q_psi = p->l_oc * f_s * c_eps * s_theta - l_df_f_d_s_theta_s_eps;
     f[0] = Q_psi; /* psi */
     f[1] = p->l_oc * f_s * c_theta; /* eps */
     f[2] = p->l_df * f_d; /* theta */
@@ -144,14 +145,17 @@ void googol_eq13_inverse_dynamics(
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double l_df_f_d_s_theta_s_eps = p->l_df * f_d * s_theta * s_eps;
     /* equation of psi */
-    const double Q_psi = p->l_oc * f_s * c_eps * s_theta - p->l_df * f_d * s_theta * s_eps;
+    const double Q_psi = p->l_oc * f_s * c_eps * s_theta - l_df_f_d_s_theta_s_eps;
     const double l_cd_m_h_g = p->m_h * p->g * p->l_cd;
     /* equation of eps */
     const double g_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
+    /* balance of forces */
+    const double balance_1 = l_cd_m_h_g * s_theta * c_eps + p->I_theta * a->theta - p->l_df * f_d;
     r[0] = p->c0_psi * v->psi + p->I_psi * a->psi - Q_psi; /* psi */
     r[1] = p->c0_eps * v->eps + g_eps + p->I_eps * a->eps - p->l_oc * f_s * c_theta; /* eps */
-    r[2] = p->c0_theta * v->theta + l_cd_m_h_g * s_theta * c_eps + p->I_theta * a->theta - p->l_df * f_d; /* theta */
+    r[2] = p->c0_theta * v->theta + balance_1; /* theta */
 }
 
 void googol_eq13_outputs(const struct googol_eq13_state *x, const struct googol_eq13_parameters *p, struct googol_eq13_outputs *y)
@@ -178,15 +182,14 @@ int googol_eq13_forward_dynamics(
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double l_oc_f_s_c_eps_s_theta = p->l_oc * f_s * c_eps * s_theta;
     const double l_cd_m_h_g = p->m_h * p->g * p->l_cd;
     /* equation of eps */
     const double g_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
     /* balance of forces */
-    const double balance_1 = p->l_df * f_d * s_theta * s_eps - p->l_oc * f_s * c_eps * s_theta;
+    const double tau_psi = l_oc_f_s_c_eps_s_theta - p->c0_psi * v->psi - p->l_df * f_d * s_theta * s_eps;
     const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - g_eps;
     const double tau_theta = p->l_df * f_d - p->c0_theta * v->theta - l_cd_m_h_g * s_theta * c_eps;
-    /* M = L D L^T and back-substitution */
-    const double psi_ddot = -(p->c0_psi * v->psi + balance_1) / p->I_psi;
     if (!(p->I_psi > 0.0)) {
         return 1;
     }
@@ -196,7 +199,7 @@ int googol_eq13_forward_dynamics(
     if (!(p->I_theta > 0.0)) {
         return 3;
     }
-    a->psi = psi_ddot;
+    a->psi = tau_psi / p->I_psi;
     a->eps = tau_eps / p->I_eps;
     a->theta = tau_theta / p->I_theta;
     return 0;
@@ -238,13 +241,15 @@ int googol_eq13_linearize(
     const double inv_psi = 1.0 / p->I_psi;
     const double inv_eps = 1.0 / p->I_eps;
     const double inv_theta = 1.0 / p->I_theta;
+    const double l_oc_f_s_s_theta_s_eps = p->l_oc * f_s * s_theta * s_eps;
     /* derivatives with respect to eps */
-    const double d_psi_ddot_by_eps = -inv_psi * (p->l_oc * f_s * s_theta * s_eps + f_d * l_df_s_theta * c_eps);
+    const double d_psi_ddot_by_eps = -inv_psi * (l_oc_f_s_s_theta_s_eps + f_d * l_df_s_theta * c_eps);
     const double d_eps_ddot_by_eps = inv_eps * (g_m_prime * s_eps - l_cd_m_h_g_c_theta * c_eps);
     const double d_theta_ddot_by_eps = inv_theta * l_cd_m_h_g * s_theta * s_eps;
+    const double l_df_f_d_s_eps_c_theta = p->l_df * f_d * s_eps * c_theta;
     /* derivatives with respect to theta */
-    const double d_psi_ddot_by_theta = inv_psi * (f_s * l_oc_c_eps * c_theta - p->l_df * f_d * s_eps * c_theta);
-    const double d_eps_ddot_by_theta = inv_eps * (l_cd_m_h_g * s_eps * s_theta - p->l_oc * f_s * s_theta);
+    const double by_theta_1 = l_cd_m_h_g * s_eps * s_theta - p->l_oc * f_s * s_theta;
+    const double d_psi_ddot_by_theta = inv_psi * (f_s * l_oc_c_eps * c_theta - l_df_f_d_s_eps_c_theta);
     /* derivatives with respect to f_1 */
     const double d_eps_ddot_by_f_1 = l_oc_c_theta * inv_eps;
     const double d_theta_ddot_by_f_1 = p->l_df * inv_theta;
@@ -275,7 +280,7 @@ int googol_eq13_linearize(
     a[3][2] = d_psi_ddot_by_theta;
     a[3][3] = -p->c0_psi * inv_psi;
     a[4][1] = d_eps_ddot_by_eps; /* eps'' */
-    a[4][2] = d_eps_ddot_by_theta;
+    a[4][2] = inv_eps * by_theta_1;
     a[4][4] = -p->c0_eps * inv_eps;
     a[5][1] = d_theta_ddot_by_eps; /* theta'' */
     a[5][2] = -inv_theta * l_cd_m_h_g_c_eps * c_theta;
@@ -309,26 +314,26 @@ int googol_eq13_parameter_jacobian(
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double l_oc_f_s_c_eps_s_theta = p->l_oc * f_s * c_eps * s_theta;
     const double m_h_g = p->m_h * p->g;
     const double l_cd_m_h_g = p->l_cd * m_h_g;
     /* equation of eps */
     const double g_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
     /* balance of forces */
-    const double balance_1 = p->l_df * f_d * s_theta * s_eps - p->l_oc * f_s * c_eps * s_theta;
+    const double tau_psi = l_oc_f_s_c_eps_s_theta - p->c0_psi * v->psi - p->l_df * f_d * s_theta * s_eps;
     const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - g_eps;
     const double tau_theta = p->l_df * f_d - p->c0_theta * v->theta - l_cd_m_h_g * s_theta * c_eps;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / p->I_psi;
     const double inv_eps = 1.0 / p->I_eps;
     const double inv_theta = 1.0 / p->I_theta;
-    const double psi_ddot = -inv_psi * (p->c0_psi * v->psi + balance_1);
     const double g_l_cd = p->g * p->l_cd;
     /* derivatives with respect to m_h */
-    const double d_eps_ddot_by_m_h = -inv_eps * (g_l_cd * s_eps * c_theta + p->g * p->l_oc * c_eps);
+    const double by_m_h_1 = g_l_cd * s_eps * c_theta + p->g * p->l_oc * c_eps;
     const double d_theta_ddot_by_m_h = -inv_theta * g_l_cd * s_theta * c_eps;
     const double m_h_l_cd = p->m_h * p->l_cd;
     /* derivatives with respect to g */
-    const double d_eps_ddot_by_g = -inv_eps * (m_h_l_cd * s_eps * c_theta + m_prime * c_eps);
+    const double by_g_1 = m_h_l_cd * s_eps * c_theta + m_prime * c_eps;
     const double d_theta_ddot_by_g = -inv_theta * m_h_l_cd * s_theta * c_eps;
     const double m_h_g_c_eps = m_h_g * c_eps;
     /* derivatives with respect to l_oc */
@@ -363,11 +368,11 @@ int googol_eq13_parameter_jacobian(
     by_p[3][4] = d_psi_ddot_by_l_oc; /* psi'' */
     by_p[3][8] = d_psi_ddot_by_l_df;
     by_p[3][9] = -inv_psi * v->psi;
-    by_p[3][12] = -inv_psi * psi_ddot;
-    by_p[4][0] = d_eps_ddot_by_m_h; /* eps'' */
+    by_p[3][12] = -inv_psi * tau_psi * inv_psi;
+    by_p[4][0] = -inv_eps * by_m_h_1; /* eps'' */
     by_p[4][1] = d_eps_ddot_by_m_b;
     by_p[4][2] = d_eps_ddot_by_m_c;
-    by_p[4][3] = d_eps_ddot_by_g;
+    by_p[4][3] = -inv_eps * by_g_1;
     by_p[4][4] = d_eps_ddot_by_l_oc;
     by_p[4][5] = d_eps_ddot_by_l_ob;
     by_p[4][6] = d_eps_ddot_by_l_oa;

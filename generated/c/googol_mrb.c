@@ -61,11 +61,11 @@ void googol_mrb_bias(
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     /* gravity */
-    const double gravity_1 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double g_eps = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps + gravity_1;
+    const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
+    const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
     const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
     h[0] = 0.0; /* psi */
-    h[1] = g_eps; /* eps */
+    h[1] = gravity_1 + gravity_2; /* eps */
     h[2] = g_theta; /* theta */
 }
 
@@ -89,11 +89,11 @@ void googol_mrb_gravity(const struct googol_mrb_coordinates *q, const struct goo
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    const double gravity_1 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double g_eps = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps + gravity_1;
+    const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
+    const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
     const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
     g[0] = 0.0; /* psi */
-    g[1] = g_eps; /* eps */
+    g[1] = gravity_1 + gravity_2; /* eps */
     g[2] = g_theta; /* theta */
 }
 
@@ -123,7 +123,8 @@ void googol_mrb_generalized_force(
     const double l_df_f_1 = p->l_df * u->f_1;
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
-    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
     f[0] = n_applied_column_z; /* psi */
     f[1] = p->l_oc * f_s * c_theta; /* eps */
     f[2] = l_df_f_1 - l_df_f_2; /* theta */
@@ -151,9 +152,11 @@ double googol_mrb_potential_energy(const struct googol_mrb_coordinates *q, const
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
     const double c_theta = cos(q->theta);
+    /* body counterweight on arm */
+    const double counterweight_1 = p->m_b * p->g * p->l_oa * s_eps - p->m_c * p->g * p->l_ob * s_eps;
     /* body fuselage on heli */
     const double fuselage_1 = p->m_h * p->g * (p->l_oc * s_eps - p->l_cd * c_eps * c_theta);
-    return p->m_b * p->g * p->l_oa * s_eps - p->m_c * p->g * p->l_ob * s_eps + fuselage_1;
+    return counterweight_1 + fuselage_1;
 }
 
 void googol_mrb_inverse_dynamics(
@@ -173,13 +176,16 @@ void googol_mrb_inverse_dynamics(
     const double l_df_f_1 = p->l_df * u->f_1;
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
-    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
     /* gravity */
-    const double gravity_1 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double g_eps = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps + gravity_1;
+    const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
+    const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
     const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
+    /* balance of forces */
+    const double balance_1 = gravity_1 + gravity_2 + p->I_eps * a->eps - p->l_oc * f_s * c_theta;
     r[0] = p->c0_psi * v->psi + p->I_psi * a->psi - n_applied_column_z; /* psi */
-    r[1] = p->c0_eps * v->eps + g_eps + p->I_eps * a->eps - p->l_oc * f_s * c_theta; /* eps */
+    r[1] = p->c0_eps * v->eps + balance_1; /* eps */
     r[2] = p->c0_theta * v->theta + g_theta + p->I_theta * a->theta - l_df_f_1 + l_df_f_2; /* theta */
 }
 
@@ -208,13 +214,14 @@ int googol_mrb_forward_dynamics(
     const double l_df_f_1 = p->l_df * u->f_1;
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
-    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
     /* gravity */
-    const double gravity_1 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double g_eps = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps + gravity_1;
+    const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
+    const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
     const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
     /* balance of forces */
-    const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - g_eps;
+    const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - gravity_1 - gravity_2;
     const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - g_theta - l_df_f_2;
     /* M = L D L^T and back-substitution */
     const double psi_ddot = (n_applied_column_z - p->c0_psi * v->psi) / p->I_psi;
@@ -262,11 +269,11 @@ int googol_mrb_linearize(
     const double l_cd_c_theta = p->l_cd * c_theta;
     const double l_cd_c_theta_c_eps = l_cd_c_theta * c_eps;
     /* gravity */
-    const double gravity_1 = p->m_h * p->g * (l_cd_c_theta * s_eps + p->l_oc * c_eps);
-    const double g_eps = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps + gravity_1;
+    const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
+    const double gravity_2 = p->m_h * p->g * (l_cd_c_theta * s_eps + p->l_oc * c_eps);
     const double g_theta = p->m_h * p->g * l_cd_s_theta * c_eps;
     /* balance of forces */
-    const double tau_eps = -p->c0_eps * v->eps - g_eps - n_applied_arm_y;
+    const double tau_eps = -p->c0_eps * v->eps - gravity_1 - gravity_2 - n_applied_arm_y;
     const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - g_theta - l_df_f_2;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / p->I_psi;
@@ -276,9 +283,9 @@ int googol_mrb_linearize(
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_eps = p->l_df * s_eps;
     /* derivatives with respect to eps */
-    const double by_eps_1 = p->m_h * p->g * (l_cd_c_theta_c_eps - p->l_oc * s_eps);
+    const double by_eps_1 = p->m_c * p->g * p->l_ob * s_eps - p->m_b * p->g * p->l_oa * s_eps;
+    const double by_eps_2 = p->m_h * p->g * (l_cd_c_theta_c_eps - p->l_oc * s_eps);
     const double m_h_g_l_cd_s_theta_s_eps = p->m_h * p->g * l_cd_s_theta * s_eps;
-    const double d_eps_ddot_by_eps = -inv_eps * (p->m_c * p->g * p->l_ob * s_eps - p->m_b * p->g * p->l_oa * s_eps + by_eps_1);
     /* derivatives with respect to theta */
     const double d_theta_ddot_by_theta = -p->m_h * p->g * inv_theta * l_cd_c_theta_c_eps;
     /* derivatives with respect to f_1 */
@@ -310,7 +317,7 @@ int googol_mrb_linearize(
     a[3][1] = n_applied_column_x * inv_psi; /* psi'' */
     a[3][2] = -inv_psi * n_applied_arm_y * c_eps;
     a[3][3] = -p->c0_psi * inv_psi;
-    a[4][1] = d_eps_ddot_by_eps; /* eps'' */
+    a[4][1] = -inv_eps * (by_eps_1 + by_eps_2); /* eps'' */
     a[4][2] = inv_eps * (m_h_g_l_cd_s_theta_s_eps - n_applied_arm_z);
     a[4][4] = -p->c0_eps * inv_eps;
     a[5][1] = inv_theta * m_h_g_l_cd_s_theta_s_eps; /* theta'' */
@@ -351,7 +358,8 @@ int googol_mrb_parameter_jacobian(
     const double f_applied_heli_1_y = f_s * s_theta;
     const double f_applied_heli_1_z = f_s * c_theta;
     /* frame arm on column */
-    const double n_applied_column_z = p->l_oc * f_applied_heli_1_y * c_eps + s_eps * (l_df_f_2 - l_df_f_1);
+    const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = p->l_oc * f_applied_heli_1_y * c_eps + arm_1;
     const double l_oa_c_eps = p->l_oa * c_eps;
     const double l_ob_c_eps = p->l_ob * c_eps;
     /* body fuselage on heli */

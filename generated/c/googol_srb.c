@@ -48,14 +48,15 @@ void googol_srb_mass_matrix(const struct googol_srb_coordinates *q, const struct
     const double I_psi_s_theta = p->I_psi * s_theta;
     const double M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     /* frame arm on column */
-    const double M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    const double M_psi_psi = c_eps * c_eps * (p->I_psi + p->I_eps - M_eps_eps) - M_psi_theta * s_eps;
+    const double arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    const double M_psi_eps = arm_1 * c_eps;
+    const double arm_2 = c_eps * c_eps * (p->I_psi + p->I_eps - M_eps_eps);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             m[i][j] = 0.0;
         }
     }
-    m[0][0] = M_psi_psi; /* psi */
+    m[0][0] = arm_2 - M_psi_theta * s_eps; /* psi */
     m[0][1] = M_psi_eps;
     m[0][2] = M_psi_theta;
     m[1][0] = M_psi_eps; /* eps */
@@ -135,7 +136,8 @@ void googol_srb_generalized_force(
     /* force rotor_2 on heli */
     const double n_applied_heli_y = -p->l_oc * u->f_1 - p->l_oc * u->f_2;
     /* frame arm on column */
-    const double n_applied_column_z = s_eps * (l_df_f_2 - l_df_f_1) - n_applied_heli_y * c_eps * s_theta;
+    const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = arm_1 - n_applied_heli_y * c_eps * s_theta;
     f[0] = n_applied_column_z; /* psi */
     f[1] = -n_applied_heli_y * c_theta; /* eps */
     f[2] = l_df_f_1 - l_df_f_2; /* theta */
@@ -180,10 +182,11 @@ double googol_srb_kinetic_energy(
     const double m_prime_per_m_2_omega_heli_z = m_prime_per_m_2 * omega_heli_z;
     const double m_prime_per_m_2_omega_heli_y = m_prime_per_m_2 * omega_heli_y;
     /* body aircraft on heli */
-    const double aircraft_1 = p->I_theta * omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y * (p->I_eps - m_prime_m_prime_per_m_2);
-    const double aircraft_2 = omega_heli_z * omega_heli_z * (p->I_psi - m_prime_m_prime_per_m_2) + aircraft_1;
-    return 0.5
-        * (m_2 * (m_prime_per_m_2_omega_heli_z * m_prime_per_m_2_omega_heli_z + m_prime_per_m_2_omega_heli_y * m_prime_per_m_2_omega_heli_y) + aircraft_2);
+    const double aircraft_1 = m_2
+        * (m_prime_per_m_2_omega_heli_z * m_prime_per_m_2_omega_heli_z + m_prime_per_m_2_omega_heli_y * m_prime_per_m_2_omega_heli_y);
+    const double aircraft_2 = p->I_theta * omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y * (p->I_eps - m_prime_m_prime_per_m_2);
+    const double aircraft_3 = omega_heli_z * omega_heli_z * (p->I_psi - m_prime_m_prime_per_m_2) + aircraft_2;
+    return 0.5 * (aircraft_1 + aircraft_3);
 }
 
 double googol_srb_potential_energy(const struct googol_srb_coordinates *q, const struct googol_srb_parameters *p)
@@ -214,17 +217,21 @@ void googol_srb_inverse_dynamics(
     const double I_psi_s_theta = p->I_psi * s_theta;
     const double M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     /* frame arm on column */
-    const double M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    const double M_psi_psi = c_eps * c_eps * (p->I_psi + p->I_eps - M_eps_eps) - M_psi_theta * s_eps;
+    const double arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    const double M_psi_eps = arm_1 * c_eps;
+    const double arm_2 = c_eps * c_eps * (p->I_psi + p->I_eps - M_eps_eps);
     const double l_df_f_1 = p->l_df * u->f_1;
     const double l_df_f_2 = p->l_df * u->f_2;
     /* force rotor_2 on heli */
     const double n_applied_heli_y = -p->l_oc * u->f_1 - p->l_oc * u->f_2;
     /* frame arm on column */
-    const double n_applied_column_z = s_eps * (l_df_f_2 - l_df_f_1) - n_applied_heli_y * c_eps * s_theta;
+    const double arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     /* gravity */
     const double g_eps = p->g * m_2 * m_prime * c_eps / m_2;
-    r[0] = M_psi_psi * a->psi + M_psi_eps * a->eps + M_psi_theta * a->theta - n_applied_column_z; /* psi */
+    /* balance of forces */
+    const double balance_1 = a->psi * (arm_2 - M_psi_theta * s_eps) + M_psi_eps * a->eps;
+    r[0] = balance_1 + M_psi_theta * a->theta - n_applied_column_z; /* psi */
     r[1] = g_eps + M_psi_eps * a->psi + M_eps_eps * a->eps + n_applied_heli_y * c_theta; /* eps */
     r[2] = p->I_theta * a->theta + M_psi_theta * a->psi - l_df_f_1 + l_df_f_2; /* theta */
 }
@@ -257,19 +264,21 @@ int googol_srb_forward_dynamics(
     const double I_psi_s_theta = p->I_psi * s_theta;
     const double M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     /* frame arm on column */
-    const double M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    const double M_psi_psi = c_eps * c_eps * (p->I_psi + p->I_eps - M_eps_eps) - M_psi_theta * s_eps;
+    const double arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    const double arm_2 = c_eps * c_eps * (p->I_psi + p->I_eps - M_eps_eps);
+    const double M_psi_psi = arm_2 - M_psi_theta * s_eps;
     const double l_df_f_1 = p->l_df * u->f_1;
     const double l_df_f_2 = p->l_df * u->f_2;
     /* force rotor_2 on heli */
     const double n_applied_heli_y = -p->l_oc * u->f_1 - p->l_oc * u->f_2;
     /* frame arm on column */
-    const double n_applied_column_z = s_eps * (l_df_f_2 - l_df_f_1) - n_applied_heli_y * c_eps * s_theta;
+    const double arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     /* gravity */
     const double g_eps = p->g * m_2 * m_prime * c_eps / m_2;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / M_psi_psi;
-    const double l_eps_psi = M_psi_eps * inv_psi;
+    const double l_eps_psi = arm_1 * inv_psi * c_eps;
     const double l_theta_psi = M_psi_theta * inv_psi;
     const double M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
     const double pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
@@ -277,7 +286,8 @@ int googol_srb_forward_dynamics(
     const double l_theta_eps = -inv_eps * l_theta_psi * M_psi_psi_l_eps_psi;
     const double pivot_theta = p->I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     const double solve_1 = n_applied_heli_y * c_theta + g_eps + n_applied_column_z * l_eps_psi;
-    const double theta_ddot = (l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi + l_theta_eps * solve_1) / pivot_theta;
+    const double solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    const double theta_ddot = (solve_2 + l_theta_eps * solve_1) / pivot_theta;
     const double eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
     const double psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     if (!(M_psi_psi > 0.0)) {
@@ -352,7 +362,8 @@ int googol_srb_linearize(
     const double pivot_theta = p->I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     const double inv_theta = 1.0 / pivot_theta;
     const double solve_1 = n_applied_arm_y + g_eps + n_applied_column_z * l_eps_psi;
-    const double theta_ddot = inv_theta * (l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi + l_theta_eps * solve_1);
+    const double solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    const double theta_ddot = inv_theta * (solve_2 + l_theta_eps * solve_1);
     const double eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
     const double psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     const double l_oc_c_theta = p->l_oc * c_theta;
@@ -361,31 +372,36 @@ int googol_srb_linearize(
     /* input map */
     const double input_map_1 = l_oc_c_eps_s_theta - l_df_s_eps;
     const double input_map_2 = l_oc_c_eps_s_theta + l_df_s_eps;
+    const double heli_1_c_eps_s_eps = heli_1 * c_eps * s_eps;
     /* derivatives with respect to eps */
-    const double by_eps_1 = heli_1_c_eps * s_eps + heli_1 * c_eps * s_eps;
+    const double by_eps_1 = I_theta_c_eps * s_eps - M_psi_theta * c_eps;
     const double I_eps_s_theta = p->I_eps * s_theta;
     const double I_psi_c_theta = p->I_psi * c_theta;
     /* derivatives with respect to theta */
     const double by_theta_1 = I_eps_c_theta_s_theta + I_eps_s_theta * c_theta;
     const double by_theta_2 = I_psi_s_theta_c_theta + I_psi_c_theta * s_theta;
-    const double by_theta_3 = I_eps_c_theta_c_theta - I_eps_s_theta * s_theta - I_psi_c_theta * c_theta + I_psi_s_theta_s_theta;
-    const double by_theta_3_c_eps = by_theta_3 * c_eps;
+    const double by_theta_3 = I_psi_c_theta * c_theta - I_psi_s_theta_s_theta;
+    const double by_theta_4 = I_eps_c_theta_c_theta - I_eps_s_theta * s_theta - by_theta_3;
+    const double by_theta_4_c_eps = by_theta_4 * c_eps;
     /* slopes of the balance of forces, at the accelerations found */
-    const double slopes_1 = psi_ddot * (I_theta_c_eps * s_eps - M_psi_theta * c_eps - by_eps_1);
-    const double slopes_2 = psi_ddot * c_eps * c_eps * (by_theta_1 - by_theta_2) + eps_ddot * by_theta_3_c_eps;
-    const double slopes_3 = n_applied_arm_z + psi_ddot * by_theta_3_c_eps + eps_ddot * (by_theta_2 - by_theta_1);
+    const double slopes_1 = psi_ddot * (by_eps_1 - heli_1_c_eps * s_eps - heli_1_c_eps_s_eps);
+    const double slopes_2 = slopes_1 - arm_1_s_eps * eps_ddot - I_theta_c_eps * theta_ddot;
+    const double slopes_3 = p->g * m_2 * m_prime_per_m_2 * s_eps + arm_1_s_eps * psi_ddot;
+    const double slopes_4 = psi_ddot * c_eps * c_eps * (by_theta_1 - by_theta_2);
+    const double slopes_5 = psi_ddot * by_theta_4_c_eps + eps_ddot * (by_theta_2 - by_theta_1);
     /* derivatives with respect to eps */
-    const double by_eps_2 = n_applied_column_x - slopes_1 + arm_1_s_eps * eps_ddot + I_theta_c_eps * theta_ddot;
-    const double by_eps_3 = p->g * m_2 * m_prime_per_m_2 * s_eps + arm_1_s_eps * psi_ddot - l_eps_psi * by_eps_2;
-    const double d_theta_ddot_by_eps = inv_theta * (I_theta_c_eps * psi_ddot - l_theta_psi * by_eps_2 - l_theta_eps * by_eps_3);
+    const double by_eps_2 = n_applied_column_x - slopes_2;
+    const double by_eps_3 = slopes_3 - l_eps_psi * by_eps_2;
+    const double by_eps_4 = I_theta_c_eps * psi_ddot - l_theta_psi * by_eps_2 - l_theta_eps * by_eps_3;
+    const double d_theta_ddot_by_eps = inv_theta * by_eps_4;
     const double d_eps_ddot_by_eps = inv_eps * by_eps_3 - l_theta_eps * d_theta_ddot_by_eps;
     const double d_psi_ddot_by_eps = inv_psi * by_eps_2 - l_eps_psi * d_eps_ddot_by_eps - l_theta_psi * d_theta_ddot_by_eps;
     /* derivatives with respect to theta */
-    const double by_theta_4 = n_applied_arm_y * c_eps + slopes_2;
-    const double by_theta_5 = slopes_3 - l_eps_psi * by_theta_4;
-    const double d_theta_ddot_by_theta = inv_theta * (l_theta_psi * by_theta_4 + l_theta_eps * by_theta_5);
-    const double d_eps_ddot_by_theta = -inv_eps * by_theta_5 - l_theta_eps * d_theta_ddot_by_theta;
-    const double d_psi_ddot_by_theta = -inv_psi * by_theta_4 - l_eps_psi * d_eps_ddot_by_theta - l_theta_psi * d_theta_ddot_by_theta;
+    const double by_theta_5 = n_applied_arm_y * c_eps + slopes_4 + eps_ddot * by_theta_4_c_eps;
+    const double by_theta_6 = n_applied_arm_z + slopes_5 - l_eps_psi * by_theta_5;
+    const double d_theta_ddot_by_theta = inv_theta * (l_theta_psi * by_theta_5 + l_theta_eps * by_theta_6);
+    const double d_eps_ddot_by_theta = -inv_eps * by_theta_6 - l_theta_eps * d_theta_ddot_by_theta;
+    const double d_psi_ddot_by_theta = -inv_psi * by_theta_5 - l_eps_psi * d_eps_ddot_by_theta - l_theta_psi * d_theta_ddot_by_theta;
     /* derivatives with respect to f_1 */
     const double by_f_1_1 = l_oc_c_theta - l_eps_psi * input_map_1;
     const double d_theta_ddot_by_f_1 = inv_theta * (p->l_df - l_theta_psi * input_map_1 - l_theta_eps * by_f_1_1);
@@ -461,20 +477,22 @@ int googol_srb_parameter_jacobian(
     const double I_psi_s_theta = p->I_psi * s_theta;
     const double M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     /* frame arm on column */
-    const double M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    const double M_psi_psi = c_eps * c_eps * (p->I_psi + p->I_eps - M_eps_eps) - M_psi_theta * s_eps;
+    const double arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    const double arm_2 = c_eps * c_eps * (p->I_psi + p->I_eps - M_eps_eps);
+    const double M_psi_psi = arm_2 - M_psi_theta * s_eps;
     const double l_df_f_1 = p->l_df * u->f_1;
     const double l_df_f_2 = p->l_df * u->f_2;
     /* force rotor_2 on heli */
     const double n_applied_heli_y = -p->l_oc * u->f_1 - p->l_oc * u->f_2;
     /* frame arm on column */
-    const double n_applied_column_z = s_eps * (l_df_f_2 - l_df_f_1) - n_applied_heli_y * c_eps * s_theta;
+    const double arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    const double n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     const double g_m_prime_per_m_2_c_eps = p->g * m_prime_per_m_2_c_eps;
     /* balance of forces */
     const double tau_eps = -n_applied_heli_y * c_theta - m_2 * g_m_prime_per_m_2_c_eps;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / M_psi_psi;
-    const double l_eps_psi = M_psi_eps * inv_psi;
+    const double l_eps_psi = arm_1 * inv_psi * c_eps;
     const double l_theta_psi = M_psi_theta * inv_psi;
     const double M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
     const double pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
@@ -483,7 +501,8 @@ int googol_srb_parameter_jacobian(
     const double pivot_theta = p->I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     const double inv_theta = 1.0 / pivot_theta;
     const double solve_1 = tau_eps - n_applied_column_z * l_eps_psi;
-    const double theta_ddot = inv_theta * (l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi - l_theta_eps * solve_1);
+    const double solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    const double theta_ddot = inv_theta * (solve_2 - l_theta_eps * solve_1);
     const double eps_ddot = inv_eps * solve_1 - l_theta_eps * theta_ddot;
     const double psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     /* derivatives with respect to m_h */
@@ -503,9 +522,10 @@ int googol_srb_parameter_jacobian(
     const double d_psi_ddot_by_g = -l_eps_psi * d_eps_ddot_by_g - l_theta_psi * d_theta_ddot_by_g;
     const double f_s_c_eps_s_theta = f_s * c_eps * s_theta;
     /* derivatives with respect to l_oc */
-    const double by_l_oc_1 = f_s * c_theta - p->m_h * p->g * m_2 * c_eps / m_2 - l_eps_psi * f_s_c_eps_s_theta;
-    const double d_theta_ddot_by_l_oc = inv_theta * (-l_theta_psi * f_s_c_eps_s_theta - l_theta_eps * by_l_oc_1);
-    const double d_eps_ddot_by_l_oc = inv_eps * by_l_oc_1 - l_theta_eps * d_theta_ddot_by_l_oc;
+    const double by_l_oc_1 = f_s * c_theta - p->m_h * p->g * m_2 * c_eps / m_2;
+    const double by_l_oc_2 = by_l_oc_1 - l_eps_psi * f_s_c_eps_s_theta;
+    const double d_theta_ddot_by_l_oc = inv_theta * (-l_theta_psi * f_s_c_eps_s_theta - l_theta_eps * by_l_oc_2);
+    const double d_eps_ddot_by_l_oc = inv_eps * by_l_oc_2 - l_theta_eps * d_theta_ddot_by_l_oc;
     const double d_psi_ddot_by_l_oc = inv_psi * f_s_c_eps_s_theta - l_eps_psi * d_eps_ddot_by_l_oc - l_theta_psi * d_theta_ddot_by_l_oc;
     const double g_m_2_m_c_per_m_2_c_eps = p->m_c * p->g * m_2 * c_eps / m_2;
     /* derivatives with respect to l_ob */
@@ -527,30 +547,36 @@ int googol_srb_parameter_jacobian(
     const double c_eps_s_theta_c_theta = c_eps * s_theta * c_theta;
     const double c_theta_sq = c_theta * c_theta;
     /* slopes of the balance of forces, at the accelerations found */
-    const double slopes_1 = eps_ddot * c_eps_s_theta_c_theta;
-    const double slopes_2 = psi_ddot * c_eps_s_theta_c_theta;
-    const double slopes_3 = slopes_1 + psi_ddot * c_eps * c_eps * (1.0 - c_theta_sq);
+    const double slopes_1 = psi_ddot * c_eps * c_eps * (1.0 - s_theta_sq);
+    const double slopes_2 = eps_ddot * c_eps_s_theta_c_theta;
+    const double slopes_3 = psi_ddot * c_eps_s_theta_c_theta;
+    const double slopes_4 = psi_ddot * c_eps * c_eps * (1.0 - c_theta_sq);
+    const double slopes_2_plus_slopes_4 = slopes_2 + slopes_4;
     /* derivatives with respect to m_c */
     const double by_m_c_1 = p->g * m_2 * c_eps * (p->l_ob + m_prime_per_m_2) / m_2 - g_m_prime_per_m_2_c_eps;
     const double d_theta_ddot_by_m_c = -inv_theta * l_theta_eps * by_m_c_1;
     const double d_eps_ddot_by_m_c = inv_eps * by_m_c_1 - l_theta_eps * d_theta_ddot_by_m_c;
     const double d_psi_ddot_by_m_c = -l_eps_psi * d_eps_ddot_by_m_c - l_theta_psi * d_theta_ddot_by_m_c;
+    const double slopes_2_minus_slopes_1 = slopes_2 - slopes_1;
     /* derivatives with respect to I_psi */
-    const double by_I_psi_1 = slopes_1 - psi_ddot * c_eps * c_eps * (1.0 - s_theta_sq);
-    const double by_I_psi_2 = slopes_2 - eps_ddot * s_theta_sq - l_eps_psi * by_I_psi_1;
-    const double d_theta_ddot_by_I_psi = inv_theta * (-l_theta_psi * by_I_psi_1 - l_theta_eps * by_I_psi_2);
-    const double d_eps_ddot_by_I_psi = inv_eps * by_I_psi_2 - l_theta_eps * d_theta_ddot_by_I_psi;
-    const double d_psi_ddot_by_I_psi = inv_psi * by_I_psi_1 - l_eps_psi * d_eps_ddot_by_I_psi - l_theta_psi * d_theta_ddot_by_I_psi;
+    const double by_I_psi_1 = slopes_3 - eps_ddot * s_theta_sq - l_eps_psi * slopes_2_minus_slopes_1;
+    const double d_theta_ddot_by_I_psi = inv_theta * (-l_theta_psi * slopes_2_minus_slopes_1 - l_theta_eps * by_I_psi_1);
+    const double d_eps_ddot_by_I_psi = inv_eps * by_I_psi_1 - l_theta_eps * d_theta_ddot_by_I_psi;
+    const double d_psi_ddot_by_I_psi = inv_psi * slopes_2_minus_slopes_1
+        - l_eps_psi * d_eps_ddot_by_I_psi
+        - l_theta_psi * d_theta_ddot_by_I_psi;
     /* derivatives with respect to I_eps */
-    const double by_I_eps_1 = l_eps_psi * slopes_3 - slopes_2 - eps_ddot * c_theta_sq;
-    const double d_theta_ddot_by_I_eps = -inv_theta * (l_theta_eps * by_I_eps_1 - l_theta_psi * slopes_3);
+    const double by_I_eps_1 = l_eps_psi * slopes_2_plus_slopes_4 - slopes_3 - eps_ddot * c_theta_sq;
+    const double d_theta_ddot_by_I_eps = -inv_theta * (l_theta_eps * by_I_eps_1 - l_theta_psi * slopes_2_plus_slopes_4);
     const double d_eps_ddot_by_I_eps = inv_eps * by_I_eps_1 - l_theta_eps * d_theta_ddot_by_I_eps;
-    const double d_psi_ddot_by_I_eps = -inv_psi * slopes_3 - l_eps_psi * d_eps_ddot_by_I_eps - l_theta_psi * d_theta_ddot_by_I_eps;
+    const double d_psi_ddot_by_I_eps = -inv_psi * slopes_2_plus_slopes_4
+        - l_eps_psi * d_eps_ddot_by_I_eps
+        - l_theta_psi * d_theta_ddot_by_I_eps;
     /* derivatives with respect to I_theta */
     const double by_I_theta_1 = theta_ddot * s_eps - psi_ddot * s_eps * s_eps;
     const double l_eps_psi_by_I_theta_1 = l_eps_psi * by_I_theta_1;
-    const double by_I_theta_2 = psi_ddot * s_eps - theta_ddot - l_theta_psi * by_I_theta_1 + l_theta_eps * l_eps_psi_by_I_theta_1;
-    const double d_theta_ddot_by_I_theta = inv_theta * by_I_theta_2;
+    const double by_I_theta_2 = psi_ddot * s_eps - theta_ddot - l_theta_psi * by_I_theta_1;
+    const double d_theta_ddot_by_I_theta = inv_theta * (by_I_theta_2 + l_theta_eps * l_eps_psi_by_I_theta_1);
     const double d_eps_ddot_by_I_theta = -inv_eps * l_eps_psi_by_I_theta_1 - l_theta_eps * d_theta_ddot_by_I_theta;
     const double d_psi_ddot_by_I_theta = inv_psi * by_I_theta_1 - l_eps_psi * d_eps_ddot_by_I_theta - l_theta_psi * d_theta_ddot_by_I_theta;
     if (!(M_psi_psi > 0.0)) {

@@ -284,8 +284,8 @@ pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     let s_theta_x_dot = s_theta * v.x;
     // body rod on pole
     let rod_1 = c_theta * v.x + p.l * v.theta;
-    let rod_2 = 0.5 * (p.m_p * (rod_1 * rod_1 + s_theta_x_dot * s_theta_x_dot) + J * v.theta * v.theta);
-    0.5 * p.m_c * v.x * v.x + rod_2
+    let rod_2 = p.m_p * (rod_1 * rod_1 + s_theta_x_dot * s_theta_x_dot);
+    0.5 * p.m_c * v.x * v.x + 0.5 * (rod_2 + J * v.theta * v.theta)
 }
 
 /// Potential energy V(q) [J]: gravity and springs.
@@ -407,9 +407,11 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // slopes of the balance of forces, at the accelerations found
     let slopes_1 = p.m_p * (x_ddot * c_theta + a_pole_x);
     let slopes_2 = p.m_p * a_pole_z_plus_x_ddot_s_theta;
-    let slopes_3 = s_theta * (slopes_1 + mc_pole_z * theta_ddot) + slopes_2 * c_theta;
+    let slopes_3 = c_theta * (slopes_2 + f_moving_pole_z);
+    let slopes_4 = s_theta * (slopes_1 + mc_pole_z * theta_ddot);
+    let slopes_5 = slopes_3 + slopes_1 * s_theta;
     // derivatives with respect to theta
-    let by_theta_1 = slopes_3 - c_theta * (slopes_2 + f_moving_pole_z) - slopes_1 * s_theta;
+    let by_theta_1 = slopes_4 + slopes_2 * c_theta - slopes_5;
     let d_theta_ddot_by_theta = inv_theta * (mc_pole_z * a_pole_z_plus_x_ddot_s_theta - l_theta_x * by_theta_1);
     let d_x_ddot_by_theta = inv_x * by_theta_1 - l_theta_x * d_theta_ddot_by_theta;
     // derivatives with respect to F
@@ -460,20 +462,20 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let x_ddot = tau_x_inv_x - l_theta_x_theta_ddot;
     let x_ddot_c_theta_plus_a_pole_x = x_ddot * c_theta + a_pole_x;
     // slopes of the balance of forces, at the accelerations found
-    let slopes_1 = s_theta * (a_pole_z + x_ddot * s_theta - p.l * theta_dot_sq);
-    let slopes_2 = slopes_1 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p.l * theta_ddot);
+    let slopes_1 = theta_ddot * (l_sq + l_sq / 3.0) + p.l * x_ddot_c_theta_plus_a_pole_x;
+    let slopes_2 = s_theta * (a_pole_z + x_ddot * s_theta - p.l * theta_dot_sq);
+    let slopes_3 = slopes_2 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p.l * theta_ddot);
+    let slopes_4 = p.m_p * x_ddot_c_theta_plus_a_pole_x + theta_ddot * (2.0 * p.m_p * p.l / 3.0 + 2.0 * mc_pole_z);
     // derivatives with respect to m_c
     let by_m_c_1 = l_theta_x_theta_ddot - tau_x_inv_x;
     let d_theta_ddot_by_m_c = -inv_theta * l_theta_x * by_m_c_1;
     let d_x_ddot_by_m_c = inv_x * by_m_c_1 - l_theta_x * d_theta_ddot_by_m_c;
     // derivatives with respect to m_p
-    let by_m_p_1 = l_theta_x * slopes_2 - theta_ddot * (l_sq + l_sq / 3.0) - p.l * x_ddot_c_theta_plus_a_pole_x;
-    let d_theta_ddot_by_m_p = inv_theta * by_m_p_1;
-    let d_x_ddot_by_m_p = -inv_x * slopes_2 - l_theta_x * d_theta_ddot_by_m_p;
+    let d_theta_ddot_by_m_p = inv_theta * (l_theta_x * slopes_3 - slopes_1);
+    let d_x_ddot_by_m_p = -inv_x * slopes_3 - l_theta_x * d_theta_ddot_by_m_p;
     // derivatives with respect to l
     let by_l_1 = p.m_p * theta_dot_sq * s_theta - p.m_p * theta_ddot * c_theta;
-    let by_l_2 = p.m_p * x_ddot_c_theta_plus_a_pole_x + theta_ddot * (2.0 * p.m_p * p.l / 3.0 + 2.0 * mc_pole_z) + l_theta_x * by_l_1;
-    let d_theta_ddot_by_l = -inv_theta * by_l_2;
+    let d_theta_ddot_by_l = -inv_theta * (slopes_4 + l_theta_x * by_l_1);
     let d_x_ddot_by_l = inv_x * by_l_1 - l_theta_x * d_theta_ddot_by_l;
     // derivatives with respect to g
     let by_g_1 = p.m_p * c_theta * s_theta - p.m_p * s_theta * c_theta;

@@ -285,10 +285,10 @@ pub fn bias(q: &Coordinates, _v: &Rates, p: &Parameters) -> [f64; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
     // gravity
-    let gravity_1 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
     let g_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
-    [0.0, g_eps, g_theta]
+    [0.0, gravity_1 + gravity_2, g_theta]
 }
 
 /// Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta).
@@ -302,10 +302,10 @@ pub fn velocity_products(_q: &Coordinates, _v: &Rates, _p: &Parameters) -> [f64;
 pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
-    let gravity_1 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
     let g_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
-    [0.0, g_eps, g_theta]
+    [0.0, gravity_1 + gravity_2, g_theta]
 }
 
 /// Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta).
@@ -323,7 +323,8 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // frame arm on column
-    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + arm_1;
     [n_applied_column_z, p.l_oc * f_s * c_theta, l_df_f_1 - l_df_f_2]
 }
 
@@ -347,9 +348,11 @@ pub fn input_map(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 3] {
 pub fn potential_energy(q: &Coordinates, p: &Parameters) -> f64 {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let c_theta = cos(q.theta);
+    // body counterweight on arm
+    let counterweight_1 = p.m_b * p.g * p.l_oa * s_eps - p.m_c * p.g * p.l_ob * s_eps;
     // body fuselage on heli
     let fuselage_1 = p.m_h * p.g * (p.l_oc * s_eps - p.l_cd * c_eps * c_theta);
-    p.m_b * p.g * p.l_oa * s_eps - p.m_c * p.g * p.l_ob * s_eps + fuselage_1
+    counterweight_1 + fuselage_1
 }
 
 /// Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
@@ -363,14 +366,17 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // frame arm on column
-    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + arm_1;
     // gravity
-    let gravity_1 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
     let g_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
+    // balance of forces
+    let balance_1 = gravity_1 + gravity_2 + p.I_eps * a.eps - p.l_oc * f_s * c_theta;
     [
         p.c0_psi * v.psi + p.I_psi * a.psi - n_applied_column_z, // psi
-        p.c0_eps * v.eps + g_eps + p.I_eps * a.eps - p.l_oc * f_s * c_theta, // eps
+        p.c0_eps * v.eps + balance_1, // eps
         p.c0_theta * v.theta + g_theta + p.I_theta * a.theta - l_df_f_1 + l_df_f_2, // theta
     ]
 }
@@ -395,13 +401,14 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // frame arm on column
-    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + arm_1;
     // gravity
-    let gravity_1 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
     let g_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
     // balance of forces
-    let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - g_eps;
+    let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - gravity_1 - gravity_2;
     let tau_theta = l_df_f_1 - p.c0_theta * v.theta - g_theta - l_df_f_2;
     // M = L D L^T and back-substitution
     let psi_ddot = (n_applied_column_z - p.c0_psi * v.psi) / p.I_psi;
@@ -457,11 +464,11 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let l_cd_c_theta = p.l_cd * c_theta;
     let l_cd_c_theta_c_eps = l_cd_c_theta * c_eps;
     // gravity
-    let gravity_1 = p.m_h * p.g * (l_cd_c_theta * s_eps + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (l_cd_c_theta * s_eps + p.l_oc * c_eps);
     let g_theta = p.m_h * p.g * l_cd_s_theta * c_eps;
     // balance of forces
-    let tau_eps = -p.c0_eps * v.eps - g_eps - n_applied_arm_y;
+    let tau_eps = -p.c0_eps * v.eps - gravity_1 - gravity_2 - n_applied_arm_y;
     let tau_theta = l_df_f_1 - p.c0_theta * v.theta - g_theta - l_df_f_2;
     // M = L D L^T and back-substitution
     let inv_psi = 1.0 / p.I_psi;
@@ -471,9 +478,9 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let l_oc_c_eps_s_theta = p.l_oc * c_eps * s_theta;
     let l_df_s_eps = p.l_df * s_eps;
     // derivatives with respect to eps
-    let by_eps_1 = p.m_h * p.g * (l_cd_c_theta_c_eps - p.l_oc * s_eps);
+    let by_eps_1 = p.m_c * p.g * p.l_ob * s_eps - p.m_b * p.g * p.l_oa * s_eps;
+    let by_eps_2 = p.m_h * p.g * (l_cd_c_theta_c_eps - p.l_oc * s_eps);
     let m_h_g_l_cd_s_theta_s_eps = p.m_h * p.g * l_cd_s_theta * s_eps;
-    let d_eps_ddot_by_eps = -inv_eps * (p.m_c * p.g * p.l_ob * s_eps - p.m_b * p.g * p.l_oa * s_eps + by_eps_1);
     // derivatives with respect to theta
     let d_theta_ddot_by_theta = -p.m_h * p.g * inv_theta * l_cd_c_theta_c_eps;
     // derivatives with respect to f_1
@@ -489,7 +496,8 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
             [0.0, 0.0, 0.0, 0.0, 1.0, 0.0], // eps'
             [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], // theta'
             [0.0, n_applied_column_x * inv_psi, -inv_psi * n_applied_arm_y * c_eps, -p.c0_psi * inv_psi, 0.0, 0.0], // psi''
-            [0.0, d_eps_ddot_by_eps, inv_eps * (m_h_g_l_cd_s_theta_s_eps - n_applied_arm_z), 0.0, -p.c0_eps * inv_eps, 0.0], // eps''
+            // eps''
+            [0.0, -inv_eps * (by_eps_1 + by_eps_2), inv_eps * (m_h_g_l_cd_s_theta_s_eps - n_applied_arm_z), 0.0, -p.c0_eps * inv_eps, 0.0],
             [0.0, inv_theta * m_h_g_l_cd_s_theta_s_eps, d_theta_ddot_by_theta, 0.0, 0.0, -p.c0_theta * inv_theta], // theta''
         ],
         b: [
@@ -520,7 +528,8 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let f_applied_heli_1_y = f_s * s_theta;
     let f_applied_heli_1_z = f_s * c_theta;
     // frame arm on column
-    let n_applied_column_z = p.l_oc * f_applied_heli_1_y * c_eps + s_eps * (l_df_f_2 - l_df_f_1);
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = p.l_oc * f_applied_heli_1_y * c_eps + arm_1;
     let l_oa_c_eps = p.l_oa * c_eps;
     let l_ob_c_eps = p.l_ob * c_eps;
     // body fuselage on heli

@@ -280,10 +280,11 @@ pub fn mass_matrix(q: &Coordinates, p: &Parameters) -> [[f64; 3]; 3] {
     let I_psi_s_theta = p.I_psi * s_theta;
     let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     // frame arm on column
-    let M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    let M_psi_psi = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps) - M_psi_theta * s_eps;
+    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    let M_psi_eps = arm_1 * c_eps;
+    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
     [
-        [M_psi_psi, M_psi_eps, M_psi_theta], // psi
+        [arm_2 - M_psi_theta * s_eps, M_psi_eps, M_psi_theta], // psi
         [M_psi_eps, M_eps_eps, 0.0], // eps
         [M_psi_theta, 0.0, p.I_theta], // theta
     ]
@@ -332,7 +333,8 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
     // force rotor_2 on heli
     let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
-    let n_applied_column_z = s_eps * (l_df_f_2 - l_df_f_1) - n_applied_heli_y * c_eps * s_theta;
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_1 - n_applied_heli_y * c_eps * s_theta;
     [n_applied_column_z, -n_applied_heli_y * c_theta, l_df_f_1 - l_df_f_2]
 }
 
@@ -369,10 +371,11 @@ pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     let m_prime_per_m_omega_heli_z = m_prime_per_m * omega_heli_z;
     let m_prime_per_m_omega_heli_y = m_prime_per_m * omega_heli_y;
     // body aircraft on heli
-    let aircraft_1 = p.I_theta * omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y * (p.I_eps - m_prime_m_prime_per_m);
-    let aircraft_2 = omega_heli_z * omega_heli_z * (p.I_psi - m_prime_m_prime_per_m) + aircraft_1;
-    0.5
-        * (m * (m_prime_per_m_omega_heli_z * m_prime_per_m_omega_heli_z + m_prime_per_m_omega_heli_y * m_prime_per_m_omega_heli_y) + aircraft_2)
+    let aircraft_1 = m
+        * (m_prime_per_m_omega_heli_z * m_prime_per_m_omega_heli_z + m_prime_per_m_omega_heli_y * m_prime_per_m_omega_heli_y);
+    let aircraft_2 = p.I_theta * omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y * (p.I_eps - m_prime_m_prime_per_m);
+    let aircraft_3 = omega_heli_z * omega_heli_z * (p.I_psi - m_prime_m_prime_per_m) + aircraft_2;
+    0.5 * (aircraft_1 + aircraft_3)
 }
 
 /// Potential energy V(q) [J]: gravity and springs.
@@ -399,18 +402,22 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let I_psi_s_theta = p.I_psi * s_theta;
     let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     // frame arm on column
-    let M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    let M_psi_psi = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps) - M_psi_theta * s_eps;
+    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    let M_psi_eps = arm_1 * c_eps;
+    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // force rotor_2 on heli
     let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
-    let n_applied_column_z = s_eps * (l_df_f_2 - l_df_f_1) - n_applied_heli_y * c_eps * s_theta;
+    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     // gravity
     let g_eps = p.g * m * m_prime * c_eps / m;
+    // balance of forces
+    let balance_1 = a.psi * (arm_2 - M_psi_theta * s_eps) + M_psi_eps * a.eps;
     [
-        M_psi_psi * a.psi + M_psi_eps * a.eps + M_psi_theta * a.theta - n_applied_column_z, // psi
+        balance_1 + M_psi_theta * a.theta - n_applied_column_z, // psi
         g_eps + M_psi_eps * a.psi + M_eps_eps * a.eps + n_applied_heli_y * c_theta, // eps
         p.I_theta * a.theta + M_psi_theta * a.psi - l_df_f_1 + l_df_f_2, // theta
     ]
@@ -440,19 +447,21 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let I_psi_s_theta = p.I_psi * s_theta;
     let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     // frame arm on column
-    let M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    let M_psi_psi = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps) - M_psi_theta * s_eps;
+    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
+    let M_psi_psi = arm_2 - M_psi_theta * s_eps;
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // force rotor_2 on heli
     let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
-    let n_applied_column_z = s_eps * (l_df_f_2 - l_df_f_1) - n_applied_heli_y * c_eps * s_theta;
+    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     // gravity
     let g_eps = p.g * m * m_prime * c_eps / m;
     // M = L D L^T and back-substitution
     let inv_psi = 1.0 / M_psi_psi;
-    let l_eps_psi = M_psi_eps * inv_psi;
+    let l_eps_psi = arm_1 * inv_psi * c_eps;
     let l_theta_psi = M_psi_theta * inv_psi;
     let M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
     let pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
@@ -460,7 +469,8 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let l_theta_eps = -inv_eps * l_theta_psi * M_psi_psi_l_eps_psi;
     let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     let solve_1 = n_applied_heli_y * c_theta + g_eps + n_applied_column_z * l_eps_psi;
-    let theta_ddot = (l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi + l_theta_eps * solve_1) / pivot_theta;
+    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    let theta_ddot = (solve_2 + l_theta_eps * solve_1) / pivot_theta;
     let eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
     let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     positive(M_psi_psi, 0)?;
@@ -543,7 +553,8 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     let inv_theta = 1.0 / pivot_theta;
     let solve_1 = n_applied_arm_y + g_eps + n_applied_column_z * l_eps_psi;
-    let theta_ddot = inv_theta * (l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi + l_theta_eps * solve_1);
+    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    let theta_ddot = inv_theta * (solve_2 + l_theta_eps * solve_1);
     let eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
     let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     let l_oc_c_theta = p.l_oc * c_theta;
@@ -552,31 +563,36 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // input map
     let input_map_1 = l_oc_c_eps_s_theta - l_df_s_eps;
     let input_map_2 = l_oc_c_eps_s_theta + l_df_s_eps;
+    let heli_1_c_eps_s_eps = heli_1 * c_eps * s_eps;
     // derivatives with respect to eps
-    let by_eps_1 = heli_1_c_eps * s_eps + heli_1 * c_eps * s_eps;
+    let by_eps_1 = I_theta_c_eps * s_eps - M_psi_theta * c_eps;
     let I_eps_s_theta = p.I_eps * s_theta;
     let I_psi_c_theta = p.I_psi * c_theta;
     // derivatives with respect to theta
     let by_theta_1 = I_eps_c_theta_s_theta + I_eps_s_theta * c_theta;
     let by_theta_2 = I_psi_s_theta_c_theta + I_psi_c_theta * s_theta;
-    let by_theta_3 = I_eps_c_theta_c_theta - I_eps_s_theta * s_theta - I_psi_c_theta * c_theta + I_psi_s_theta_s_theta;
-    let by_theta_3_c_eps = by_theta_3 * c_eps;
+    let by_theta_3 = I_psi_c_theta * c_theta - I_psi_s_theta_s_theta;
+    let by_theta_4 = I_eps_c_theta_c_theta - I_eps_s_theta * s_theta - by_theta_3;
+    let by_theta_4_c_eps = by_theta_4 * c_eps;
     // slopes of the balance of forces, at the accelerations found
-    let slopes_1 = psi_ddot * (I_theta_c_eps * s_eps - M_psi_theta * c_eps - by_eps_1);
-    let slopes_2 = psi_ddot * c_eps * c_eps * (by_theta_1 - by_theta_2) + eps_ddot * by_theta_3_c_eps;
-    let slopes_3 = n_applied_arm_z + psi_ddot * by_theta_3_c_eps + eps_ddot * (by_theta_2 - by_theta_1);
+    let slopes_1 = psi_ddot * (by_eps_1 - heli_1_c_eps * s_eps - heli_1_c_eps_s_eps);
+    let slopes_2 = slopes_1 - arm_1_s_eps * eps_ddot - I_theta_c_eps * theta_ddot;
+    let slopes_3 = p.g * m * m_prime_per_m * s_eps + arm_1_s_eps * psi_ddot;
+    let slopes_4 = psi_ddot * c_eps * c_eps * (by_theta_1 - by_theta_2);
+    let slopes_5 = psi_ddot * by_theta_4_c_eps + eps_ddot * (by_theta_2 - by_theta_1);
     // derivatives with respect to eps
-    let by_eps_2 = n_applied_column_x - slopes_1 + arm_1_s_eps * eps_ddot + I_theta_c_eps * theta_ddot;
-    let by_eps_3 = p.g * m * m_prime_per_m * s_eps + arm_1_s_eps * psi_ddot - l_eps_psi * by_eps_2;
-    let d_theta_ddot_by_eps = inv_theta * (I_theta_c_eps * psi_ddot - l_theta_psi * by_eps_2 - l_theta_eps * by_eps_3);
+    let by_eps_2 = n_applied_column_x - slopes_2;
+    let by_eps_3 = slopes_3 - l_eps_psi * by_eps_2;
+    let by_eps_4 = I_theta_c_eps * psi_ddot - l_theta_psi * by_eps_2 - l_theta_eps * by_eps_3;
+    let d_theta_ddot_by_eps = inv_theta * by_eps_4;
     let d_eps_ddot_by_eps = inv_eps * by_eps_3 - l_theta_eps * d_theta_ddot_by_eps;
     let d_psi_ddot_by_eps = inv_psi * by_eps_2 - l_eps_psi * d_eps_ddot_by_eps - l_theta_psi * d_theta_ddot_by_eps;
     // derivatives with respect to theta
-    let by_theta_4 = n_applied_arm_y * c_eps + slopes_2;
-    let by_theta_5 = slopes_3 - l_eps_psi * by_theta_4;
-    let d_theta_ddot_by_theta = inv_theta * (l_theta_psi * by_theta_4 + l_theta_eps * by_theta_5);
-    let d_eps_ddot_by_theta = -inv_eps * by_theta_5 - l_theta_eps * d_theta_ddot_by_theta;
-    let d_psi_ddot_by_theta = -inv_psi * by_theta_4 - l_eps_psi * d_eps_ddot_by_theta - l_theta_psi * d_theta_ddot_by_theta;
+    let by_theta_5 = n_applied_arm_y * c_eps + slopes_4 + eps_ddot * by_theta_4_c_eps;
+    let by_theta_6 = n_applied_arm_z + slopes_5 - l_eps_psi * by_theta_5;
+    let d_theta_ddot_by_theta = inv_theta * (l_theta_psi * by_theta_5 + l_theta_eps * by_theta_6);
+    let d_eps_ddot_by_theta = -inv_eps * by_theta_6 - l_theta_eps * d_theta_ddot_by_theta;
+    let d_psi_ddot_by_theta = -inv_psi * by_theta_5 - l_eps_psi * d_eps_ddot_by_theta - l_theta_psi * d_theta_ddot_by_theta;
     // derivatives with respect to f_1
     let by_f_1_1 = l_oc_c_theta - l_eps_psi * input_map_1;
     let d_theta_ddot_by_f_1 = inv_theta * (p.l_df - l_theta_psi * input_map_1 - l_theta_eps * by_f_1_1);
@@ -630,20 +646,22 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let I_psi_s_theta = p.I_psi * s_theta;
     let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     // frame arm on column
-    let M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    let M_psi_psi = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps) - M_psi_theta * s_eps;
+    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
+    let M_psi_psi = arm_2 - M_psi_theta * s_eps;
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // force rotor_2 on heli
     let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
-    let n_applied_column_z = s_eps * (l_df_f_2 - l_df_f_1) - n_applied_heli_y * c_eps * s_theta;
+    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     let g_m_prime_per_m_c_eps = p.g * m_prime_per_m_c_eps;
     // balance of forces
     let tau_eps = -n_applied_heli_y * c_theta - m * g_m_prime_per_m_c_eps;
     // M = L D L^T and back-substitution
     let inv_psi = 1.0 / M_psi_psi;
-    let l_eps_psi = M_psi_eps * inv_psi;
+    let l_eps_psi = arm_1 * inv_psi * c_eps;
     let l_theta_psi = M_psi_theta * inv_psi;
     let M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
     let pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
@@ -652,7 +670,8 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     let inv_theta = 1.0 / pivot_theta;
     let solve_1 = tau_eps - n_applied_column_z * l_eps_psi;
-    let theta_ddot = inv_theta * (l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi - l_theta_eps * solve_1);
+    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    let theta_ddot = inv_theta * (solve_2 - l_theta_eps * solve_1);
     let eps_ddot = inv_eps * solve_1 - l_theta_eps * theta_ddot;
     let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     // derivatives with respect to m_h
@@ -696,30 +715,32 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let c_eps_s_theta_c_theta = c_eps * s_theta * c_theta;
     let c_theta_sq = c_theta * c_theta;
     // slopes of the balance of forces, at the accelerations found
-    let slopes_1 = eps_ddot * c_eps_s_theta_c_theta;
-    let slopes_2 = psi_ddot * c_eps_s_theta_c_theta;
-    let slopes_3 = slopes_1 + psi_ddot * c_eps * c_eps * (1.0 - c_theta_sq);
+    let slopes_1 = psi_ddot * c_eps * c_eps * (1.0 - s_theta_sq);
+    let slopes_2 = eps_ddot * c_eps_s_theta_c_theta;
+    let slopes_3 = psi_ddot * c_eps_s_theta_c_theta;
+    let slopes_4 = psi_ddot * c_eps * c_eps * (1.0 - c_theta_sq);
+    let slopes_2_plus_slopes_4 = slopes_2 + slopes_4;
     // derivatives with respect to m_c
     let by_m_c_1 = p.g * m * c_eps * (p.l_ob + m_prime_per_m) / m - g_m_prime_per_m_c_eps;
     let d_theta_ddot_by_m_c = -inv_theta * l_theta_eps * by_m_c_1;
     let d_eps_ddot_by_m_c = inv_eps * by_m_c_1 - l_theta_eps * d_theta_ddot_by_m_c;
     let d_psi_ddot_by_m_c = -l_eps_psi * d_eps_ddot_by_m_c - l_theta_psi * d_theta_ddot_by_m_c;
+    let slopes_2_minus_slopes_1 = slopes_2 - slopes_1;
     // derivatives with respect to I_psi
-    let by_I_psi_1 = slopes_1 - psi_ddot * c_eps * c_eps * (1.0 - s_theta_sq);
-    let by_I_psi_2 = slopes_2 - eps_ddot * s_theta_sq - l_eps_psi * by_I_psi_1;
-    let d_theta_ddot_by_I_psi = inv_theta * (-l_theta_psi * by_I_psi_1 - l_theta_eps * by_I_psi_2);
-    let d_eps_ddot_by_I_psi = inv_eps * by_I_psi_2 - l_theta_eps * d_theta_ddot_by_I_psi;
-    let d_psi_ddot_by_I_psi = inv_psi * by_I_psi_1 - l_eps_psi * d_eps_ddot_by_I_psi - l_theta_psi * d_theta_ddot_by_I_psi;
+    let by_I_psi_1 = slopes_3 - eps_ddot * s_theta_sq - l_eps_psi * slopes_2_minus_slopes_1;
+    let d_theta_ddot_by_I_psi = inv_theta * (-l_theta_psi * slopes_2_minus_slopes_1 - l_theta_eps * by_I_psi_1);
+    let d_eps_ddot_by_I_psi = inv_eps * by_I_psi_1 - l_theta_eps * d_theta_ddot_by_I_psi;
+    let d_psi_ddot_by_I_psi = inv_psi * slopes_2_minus_slopes_1 - l_eps_psi * d_eps_ddot_by_I_psi - l_theta_psi * d_theta_ddot_by_I_psi;
     // derivatives with respect to I_eps
-    let by_I_eps_1 = l_eps_psi * slopes_3 - slopes_2 - eps_ddot * c_theta_sq;
-    let d_theta_ddot_by_I_eps = -inv_theta * (l_theta_eps * by_I_eps_1 - l_theta_psi * slopes_3);
+    let by_I_eps_1 = l_eps_psi * slopes_2_plus_slopes_4 - slopes_3 - eps_ddot * c_theta_sq;
+    let d_theta_ddot_by_I_eps = -inv_theta * (l_theta_eps * by_I_eps_1 - l_theta_psi * slopes_2_plus_slopes_4);
     let d_eps_ddot_by_I_eps = inv_eps * by_I_eps_1 - l_theta_eps * d_theta_ddot_by_I_eps;
-    let d_psi_ddot_by_I_eps = -inv_psi * slopes_3 - l_eps_psi * d_eps_ddot_by_I_eps - l_theta_psi * d_theta_ddot_by_I_eps;
+    let d_psi_ddot_by_I_eps = -inv_psi * slopes_2_plus_slopes_4 - l_eps_psi * d_eps_ddot_by_I_eps - l_theta_psi * d_theta_ddot_by_I_eps;
     // derivatives with respect to I_theta
     let by_I_theta_1 = theta_ddot * s_eps - psi_ddot * s_eps * s_eps;
     let l_eps_psi_by_I_theta_1 = l_eps_psi * by_I_theta_1;
-    let by_I_theta_2 = psi_ddot * s_eps - theta_ddot - l_theta_psi * by_I_theta_1 + l_theta_eps * l_eps_psi_by_I_theta_1;
-    let d_theta_ddot_by_I_theta = inv_theta * by_I_theta_2;
+    let by_I_theta_2 = psi_ddot * s_eps - theta_ddot - l_theta_psi * by_I_theta_1;
+    let d_theta_ddot_by_I_theta = inv_theta * (by_I_theta_2 + l_theta_eps * l_eps_psi_by_I_theta_1);
     let d_eps_ddot_by_I_theta = -inv_eps * l_eps_psi_by_I_theta_1 - l_theta_eps * d_theta_ddot_by_I_theta;
     let d_psi_ddot_by_I_theta = inv_psi * by_I_theta_1 - l_eps_psi * d_eps_ddot_by_I_theta - l_theta_psi * d_theta_ddot_by_I_theta;
     positive(M_psi_psi, 0)?;

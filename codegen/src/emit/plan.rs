@@ -175,7 +175,7 @@ impl<'a> Planner<'a> {
     /// Form of an operand before names are known.
     fn estimate(&self, id: Id, forms: &FxHashMap<Id, (Form, usize)>) -> Form {
         if self.named.contains_key(&id) {
-            return Form::atom(Rank::Named, self.graph.label_of(id).unwrap_or("scope_name_12").to_owned());
+            return Form::atom(Rank::Named, self.graph.label_of(id).unwrap_or("a_name_of_some_length").to_owned());
         }
         forms.get(&id).map_or_else(|| Form::number(0.0), |f| f.0.clone())
     }
