@@ -146,7 +146,7 @@ fn every_trim_agrees_with_casadi() {
         let model = InProcess::new(derived(&rig, &name));
         for (trim, theirs) in rig.trims.iter().zip(trims) {
             let label = format!("{name}, trim {}", trim.name);
-            assert_eq!(theirs["name"], Value::from(trim.name.as_str()));
+            assert_eq!(theirs["name"], trim.name.as_str());
             let residual = theirs["residual"].as_f64().unwrap_or(f64::NAN);
             let problem: TrimProblem = problem(&rig, &model, trim, &p);
             let ours = control::solve(&model, &p, &problem);

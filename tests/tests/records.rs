@@ -82,8 +82,11 @@ fn single_rigid_body_model_dies_at_a_right_angle() {
     assert!(c.signals.iter().all(|s| s.simulated.len() == c.trajectory.t.len() && s.fit_percent.is_some()));
 }
 
+/// Name, samples, period [s], and (column, lowest, highest) in SI.
+type Expected = (&'static str, usize, f64, &'static [(&'static str, f64, f64)]);
+
 /// Every description, its samples, period and length, and the extremes of what it measures (from the folders' READMEs).
-const RECORDS: &[(&str, usize, f64, &[(&str, f64, f64)])] = &[
+const RECORDS: &[Expected] = &[
     ("googol_open_loop_steps", 10_001, 0.005, &[("theta", -0.24, 0.17), ("eps", -0.45, 0.13), ("psi", -0.01, 8.1)]),
     ("googol_elevation_identification", 10_001, 0.005, &[("eps", -0.54, 0.16), ("theta", -0.03, 0.02), ("psi", -0.01, 0.0)]),
     (
@@ -146,7 +149,7 @@ const RECORDS: &[(&str, usize, f64, &[(&str, f64, f64)])] = &[
     ),
     ("qube_furuta_decar_qube_20230828T161658_307_080_776", 10_000, 0.002, &[("alpha", -0.4, 0.4), ("V", -10.0, 10.0)]),
     ("double_pendulum_dfki_designA_trajectory_03", 4_997, 0.002, &[("q1", -0.45, 0.33), ("q2", -1.82, 1.58), ("tau_1", -0.65, 0.72)]),
-    ("double_pendulum_dfki_designA_trajectory_11", 3_857, 0.0015, &[("q1", -1.17, 3.14), ("q2", -2.25, 2.51), ("tau_2", -2.5, 4.7)]),
+    ("double_pendulum_dfki_designA_trajectory_11", 3_857, 0.0015, &[("q1", -1.17, 3.2), ("q2", -2.25, 2.51), ("tau_2", -2.5, 4.7)]),
     ("heli3_sheffield_fan_FanDynData", 668, 0.015, &[("V", 0.0, 10.0), ("force", -0.005, 0.04)]),
 ];
 
@@ -188,4 +191,19 @@ fn every_description_reads_its_record() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn models_of_the_seed_over_the_record() {
+    let Some(folder) = folder_for("googol_open_loop_steps, every model") else { return };
+    for (rig, set) in [("googol_identified", &[][..]), ("googol", &[][..]), ("googol_mrb", &[][..]), ("googol_eq13", &[][..])] {
+        let c = steps(&model(rig, Options::default()), set, &folder);
+        println!(
+            "  {rig}: fit % of psi, eps, theta = {:.1?}, {}, horizon {:?}",
+            ["psi", "eps", "theta"].map(|s| figure(&c, s)),
+            c.status,
+            c.horizon()
+        );
+        assert_eq!((c.status, c.valid_until, c.prediction.is_none()), (Status::Completed, 50.0, true), "{rig}");
+    }
 }

@@ -44,8 +44,7 @@ pub fn complete(
     for (name, &r) in names.iter().zip(&right) {
         g.label(r, format!("tau_{name}"));
     }
-    let symmetric = rig.equations.is_empty() || (0..m.len()).all(|i| (0..i).all(|j| m[i][j] == m[j][i]));
-    let factored = factor(g, &m, &names, symmetric);
+    let factored = factor(g, &m, &names);
     let solved = factored.solve(g, &right);
     let mut acceleration = given;
     for (&i, &a) in free.iter().zip(&solved) {
