@@ -70,16 +70,19 @@ fn unknown_of(direction: &Direction) -> Unknown {
 
 fn failure(error: &TrimError, name: Option<&str>, layout: &Layout, solved: &[Direction]) -> Failure {
     let trim = name.map_or_else(|| "this point".to_owned(), |n| format!("the trim `{n}`"));
-    let coordinate = |i: usize| layout.q.get(i).map_or("?", |q| q.name.as_str());
     let unknowns: Vec<&str> = solved.iter().map(|d| d.name.as_str()).collect();
     match error {
-        TrimError::NotSquare { unknowns, equations } => Failure::new("C0302", format!("{trim} has {unknowns} unknowns and {equations} equations")),
-        TrimError::Singular(s) => singular(coordinate(s.coordinate)),
-        TrimError::NoConvergence { residual, coordinate: i, rank, iterations } => {
-            let q = &layout.q[*i];
-            let message = format!("{trim} has no solution near its start: after {iterations} steps an acceleration of {} {}/s^2 remains in `{}`", number(*residual), q.unit, q.name);
+        TrimError::NotSquare { .. } | TrimError::Shape => Failure::new("C0302", format!("{trim}: {error}")),
+        TrimError::Singular { coordinate } => singular(coordinate),
+        TrimError::NoConvergence { residual, coordinate: name, rank, iterations, free, .. } => {
+            let unit = layout.q.iter().find(|q| q.name == *name).map_or("", |q| q.unit.as_str());
+            let message = format!("{trim} has no solution near its start: after {iterations} steps an acceleration of {} {unit}/s^2 remains in `{name}`", number(*residual));
             let help = if *rank < unknowns.len() {
-                format!("{} reach only {rank} of {} equations here: solve for something that moves `{}`", unknowns.join(", "), unknowns.len(), q.name)
+                let nothing = match free.first().map(Vec::as_slice) {
+                    Some([(only, _)]) => format!("; nothing depends on {only} there"),
+                    _ => String::new(),
+                };
+                format!("{} reach only {rank} of {} equations here{nothing}: solve for something that moves `{name}`", unknowns.join(", "), unknowns.len())
             } else {
                 "no value of the unknowns may exist for these numbers; give a start nearer to it, or hold something else with --at".to_owned()
             };
