@@ -316,11 +316,16 @@ impl Core {
         let n = self.a.nrows();
         let not_finite = |_| RiccatiError::NotFinite { matrix: "A" };
         let size = self.a.norm();
+        // zero but for rounding
+        let clean = |z: Complex<f64>| {
+            let part = |x: f64| if x.abs() <= rounding(n) * size { 0.0 } else { x };
+            Complex::new(part(z.re), part(z.im))
+        };
         let margin = MARGINAL * size.max(if self.time == Time::Discrete { 1.0 } else { 0.0 });
         let unreached = Staircase::new(&self.a, &self.b, rounding(n)).map_err(not_finite)?;
         for z in eigenvalues(&unreached.rest).map_err(not_finite)? {
             if self.time.growth(z) >= -margin {
-                return Err(RiccatiError::Unreachable(pbh(&self.a, &self.b, z)));
+                return Err(RiccatiError::Unreachable(pbh(&self.a, &self.b, clean(z))));
             }
         }
         let (at, weight) = (self.a.transpose(), &self.q);
@@ -328,7 +333,7 @@ impl Core {
         let unseen = Staircase::new(&at, &weight, rounding(n)).map_err(not_finite)?;
         for z in eigenvalues(&unseen.rest).map_err(not_finite)? {
             if self.time.growth(z).abs() <= margin {
-                return Err(RiccatiError::Unseen(pbh(&at, &weight, z)));
+                return Err(RiccatiError::Unseen(pbh(&at, &weight, clean(z))));
             }
         }
         Ok(())

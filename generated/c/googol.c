@@ -54,8 +54,8 @@ void googol_mass_matrix(const struct googol_coordinates *q, const struct googol_
     const double heli_1 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
     const double l_oc_m_h_l_oc = p->m_h * p->l_oc * p->l_oc;
     /* frame arm on column */
-    const double arm_1 = c_eps * (I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta);
-    const double M_psi_eps = arm_1 - M_eps_theta * s_eps;
+    const double arm_1 = I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta;
+    const double M_psi_eps = arm_1 * c_eps - M_eps_theta * s_eps;
     const double arm_2 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_1 + l_oc_m_h_l_oc);
     const double arm_3 = c_eps * (arm_2 - l_oc_mc_heli_z_c_theta * s_eps);
     m[0][0] = arm_3 - M_psi_theta * s_eps; /* psi */
@@ -85,9 +85,8 @@ void googol_bias(const struct googol_coordinates *q, const struct googol_rates *
     const double alpha_arm_z = -omega_arm_x * v->eps;
     const double I_arm_yy_eps_dot = I_arm_yy * v->eps;
     const double I_arm_yy_omega_arm_z = I_arm_yy * omega_arm_z;
-    const double arm_1 = omega_arm_x * I_arm_yy_eps_dot - I_arm_yy * alpha_arm_z;
     const double a_arm_z = p->g * c_eps;
-    const double arm_2 = omega_arm_x * I_arm_yy_omega_arm_z + a_arm_z * (m_b_l_oa - m_c_l_ob);
+    const double arm_1 = omega_arm_x * I_arm_yy_omega_arm_z + a_arm_z * (m_b_l_oa - m_c_l_ob);
     /* body fuselage on heli */
     const double mc_heli_z = -p->m_h * p->l_cd;
     const double I_heli_yy = -p->l_cd * mc_heli_z;
@@ -98,38 +97,41 @@ void googol_bias(const struct googol_coordinates *q, const struct googol_rates *
     const double omega_heli_x = omega_arm_x - v->theta;
     const double alpha_heli_y = -alpha_arm_z * s_theta - omega_heli_z * v->theta;
     const double alpha_heli_z = omega_heli_y * v->theta + alpha_arm_z * c_theta;
-    const double heli_1 = mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
-    const double heli_2 = omega_heli_y * I_z_omega_heli_z - omega_heli_z * I_heli_yy_omega_heli_y;
-    const double heli_3 = omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
-    const double n_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
+    const double heli_1 = I_heli_xx * alpha_arm_x - omega_heli_z * I_heli_yy_omega_heli_y + omega_heli_y * I_z_omega_heli_z;
+    const double heli_2 = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
+    const double n_moving_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_z = p->l_oc * omega_arm_z * omega_arm_x + a_arm_z;
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y * omega_heli_z);
-    const double f_heli_z = p->m_h * a_heli_z - heli_1;
-    const double heli_4 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
-    const double n_heli_x = I_heli_xx * alpha_arm_x + heli_2 - mc_heli_z * a_heli_y;
-    const double n_heli_y = I_heli_yy * alpha_heli_y + heli_3 + heli_4;
+    const double f_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
+    const double heli_3 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double n_heli_x = heli_1 - mc_heli_z * a_heli_y;
+    const double n_heli_y = heli_2 + heli_3;
     const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
     const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
-    const double n_heli_1_y = n_heli_z * s_theta + n_heli_y * c_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
+    const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
+    const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
     /* frame arm on column */
     const double n_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + n_heli_x;
-    const double n_arm_z = n_heli_1_z + p->l_oc * f_heli_1_y - arm_1;
-    const double h_eps = arm_2 - n_heli_1_y + p->l_oc * f_heli_1_z;
+    const double n_arm_z = n_heli_1_z + p->l_oc * f_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x * I_arm_yy_eps_dot;
+    const double h_eps = arm_1 - n_heli_1_y + p->l_oc * f_heli_1_z;
     const double n_column_z = n_arm_z * c_eps + n_arm_x * s_eps;
     h[0] = n_column_z; /* psi */
     h[1] = h_eps; /* eps */
     h[2] = -n_heli_x; /* theta */
 }
 
-void googol_velocity_products(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p, double c[3])
+void googol_velocity_products(
+    const struct googol_coordinates *q,
+    const struct googol_rates *v,
+    const struct googol_parameters *p,
+    double c[3])
 {
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
@@ -143,7 +145,6 @@ void googol_velocity_products(const struct googol_coordinates *q, const struct g
     const double alpha_arm_z = -omega_arm_x * v->eps;
     const double I_arm_yy_eps_dot = I_arm_yy * v->eps;
     const double I_arm_yy_omega_arm_z = I_arm_yy * omega_arm_z;
-    const double arm_1 = omega_arm_x * I_arm_yy_eps_dot - I_arm_yy * alpha_arm_z;
     /* body fuselage on heli */
     const double mc_heli_z = -p->m_h * p->l_cd;
     const double I_heli_yy = -p->l_cd * mc_heli_z;
@@ -154,33 +155,32 @@ void googol_velocity_products(const struct googol_coordinates *q, const struct g
     const double omega_heli_x = omega_arm_x - v->theta;
     const double alpha_heli_y = -alpha_arm_z * s_theta - omega_heli_z * v->theta;
     const double alpha_heli_z = omega_heli_y * v->theta + alpha_arm_z * c_theta;
-    const double heli_1 = mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
-    const double heli_2 = omega_heli_y * I_z_omega_heli_z - omega_heli_z * I_heli_yy_omega_heli_y;
-    const double heli_3 = omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
-    const double n_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
+    const double heli_1 = I_heli_xx * alpha_arm_x - omega_heli_z * I_heli_yy_omega_heli_y + omega_heli_y * I_z_omega_heli_z;
+    const double heli_2 = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
+    const double n_moving_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_z = p->l_oc * omega_arm_z * omega_arm_x;
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
-    const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y * omega_heli_z);
-    const double f_heli_z = p->m_h * a_heli_z - heli_1;
-    const double n_heli_x = I_heli_xx * alpha_arm_x - mc_heli_z * a_heli_y + heli_2;
-    const double n_heli_y = mc_heli_z * a_heli_1_x + I_heli_yy * alpha_heli_y + heli_3;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
-    const double n_heli_1_y = n_heli_y * c_theta + n_heli_z * s_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_moving_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y * omega_heli_z);
+    const double f_moving_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
+    const double n_moving_heli_x = heli_1 - mc_heli_z * a_heli_y;
+    const double n_moving_heli_y = mc_heli_z * a_heli_1_x + heli_2;
+    const double f_moving_heli_1_y = f_moving_heli_y * c_theta + f_moving_heli_z * s_theta;
+    const double f_moving_heli_1_z = f_moving_heli_z * c_theta - f_moving_heli_y * s_theta;
+    const double n_moving_heli_1_y = n_moving_heli_y * c_theta + n_moving_heli_z * s_theta;
+    const double n_moving_heli_1_z = n_moving_heli_z * c_theta - n_moving_heli_y * s_theta;
     /* frame arm on column */
-    const double n_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + n_heli_x;
-    const double n_arm_z = n_heli_1_z + p->l_oc * f_heli_1_y - arm_1;
-    const double n_column_z = n_arm_z * c_eps + n_arm_x * s_eps;
-    c[0] = n_column_z; /* psi */
-    c[1] = omega_arm_x * I_arm_yy_omega_arm_z - n_heli_1_y + p->l_oc * f_heli_1_z; /* eps */
-    c[2] = -n_heli_x; /* theta */
+    const double n_moving_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + n_moving_heli_x;
+    const double n_moving_arm_z = n_moving_heli_1_z + p->l_oc * f_moving_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x * I_arm_yy_eps_dot;
+    const double n_moving_column_z = n_moving_arm_z * c_eps + n_moving_arm_x * s_eps;
+    c[0] = n_moving_column_z; /* psi */
+    c[1] = omega_arm_x * I_arm_yy_omega_arm_z - n_moving_heli_1_y + p->l_oc * f_moving_heli_1_z; /* eps */
+    c[2] = -n_moving_heli_x; /* theta */
 }
 
 void googol_gravity(const struct googol_coordinates *q, const struct googol_parameters *p, double g[3])
@@ -189,7 +189,6 @@ void googol_gravity(const struct googol_coordinates *q, const struct googol_para
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    /* gravity */
     const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
     const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
     const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
@@ -206,21 +205,23 @@ void googol_dissipation(const struct googol_coordinates *q, const struct googol_
     d[2] = p->c0_theta * v->theta; /* theta */
 }
 
-void googol_generalized_force(const struct googol_coordinates *q, const struct googol_inputs *u, const struct googol_parameters *p, double f[3])
+void googol_generalized_force(
+    const struct googol_coordinates *q,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double f[3])
 {
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double f_s = u->f_1 + u->f_2;
-    /* force rotor_1 on heli */
     const double l_df_f_1 = p->l_df * u->f_1;
-    /* force rotor_2 on heli */
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
     const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
-    const double n_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
-    f[0] = n_column_z; /* psi */
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
+    f[0] = n_applied_column_z; /* psi */
     f[1] = p->l_oc * f_s * c_theta; /* eps */
     f[2] = l_df_f_1 - l_df_f_2; /* theta */
 }
@@ -231,9 +232,7 @@ void googol_input_map(const struct googol_coordinates *q, const struct googol_pa
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    /* gravity */
     const double l_oc_c_theta = p->l_oc * c_theta;
-    /* input map */
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_eps = p->l_df * s_eps;
     s[0][0] = l_oc_c_eps_s_theta - l_df_s_eps; /* psi */
@@ -260,21 +259,21 @@ double googol_kinetic_energy(const struct googol_coordinates *q, const struct go
     const double l_oc_eps_dot = p->l_oc * v->eps;
     const double heli_1 = l_oc_omega_arm_z * c_theta - l_oc_eps_dot * s_theta;
     const double heli_2 = l_oc_omega_arm_z * s_theta + l_oc_eps_dot * c_theta;
-    /* body beam on arm */
     const double l_oa_omega_arm_z = p->l_oa * omega_arm_z;
     const double l_oa_eps_dot = p->l_oa * v->eps;
+    /* body beam on arm */
     const double beam_1 = 0.5 * p->m_b * (l_oa_omega_arm_z * l_oa_omega_arm_z + l_oa_eps_dot * l_oa_eps_dot);
-    /* body counterweight on arm */
     const double l_ob_omega_arm_z = p->l_ob * omega_arm_z;
     const double l_ob_eps_dot = p->l_ob * v->eps;
+    /* body counterweight on arm */
     const double counterweight_1 = 0.5 * p->m_c * (l_ob_omega_arm_z * l_ob_omega_arm_z + l_ob_eps_dot * l_ob_eps_dot);
-    /* body fuselage on heli */
     const double l_cd_omega_heli_y = p->l_cd * omega_heli_y;
+    /* body fuselage on heli */
     const double fuselage_1 = heli_1 + p->l_cd * omega_heli_x;
     const double fuselage_2 = l_cd_omega_heli_y * l_cd_omega_heli_y + fuselage_1 * fuselage_1;
     const double fuselage_3 = p->m_h * (heli_2 * heli_2 + fuselage_2);
-    const double fuselage_4 = p->I_x * omega_heli_x * omega_heli_x + p->I_z * omega_heli_z * omega_heli_z;
-    return beam_1 + counterweight_1 + 0.5 * (fuselage_3 + fuselage_4);
+    const double fuselage_4 = 0.5 * (fuselage_3 + p->I_x * omega_heli_x * omega_heli_x + p->I_z * omega_heli_z * omega_heli_z);
+    return beam_1 + counterweight_1 + fuselage_4;
 }
 
 double googol_potential_energy(const struct googol_coordinates *q, const struct googol_parameters *p)
@@ -289,7 +288,12 @@ double googol_potential_energy(const struct googol_coordinates *q, const struct 
     return counterweight_1 + fuselage_1;
 }
 
-void googol_inverse_dynamics(const struct googol_state *x, const struct googol_accelerations *a, const struct googol_inputs *u, const struct googol_parameters *p, double r[3])
+void googol_inverse_dynamics(
+    const struct googol_state *x,
+    const struct googol_accelerations *a,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double r[3])
 {
     const struct googol_coordinates *q = &x->q;
     const struct googol_rates *v = &x->v;
@@ -306,12 +310,12 @@ void googol_inverse_dynamics(const struct googol_state *x, const struct googol_a
     const double alpha_arm_z = -omega_arm_x * v->eps;
     const double I_arm_yy_eps_dot = I_arm_yy * v->eps;
     const double I_arm_yy_omega_arm_z = I_arm_yy * omega_arm_z;
+    const double arm_1 = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps;
     const double a_arm_z = p->g * c_eps;
-    const double arm_1 = a_arm_z * (m_b_l_oa - m_c_l_ob);
+    const double arm_2 = a_arm_z * (m_b_l_oa - m_c_l_ob);
     const double alpha_arm_x = omega_arm_z * v->eps + s_eps * a->psi;
     const double alpha_arm_z_2 = c_eps * a->psi + alpha_arm_z;
-    const double arm_2 = I_arm_yy * alpha_arm_z_2 - omega_arm_x * I_arm_yy_eps_dot;
-    const double arm_3 = arm_1 + omega_arm_x * I_arm_yy_omega_arm_z + I_arm_yy * a->eps;
+    const double arm_3 = arm_2 + omega_arm_x * I_arm_yy_omega_arm_z + I_arm_yy * a->eps;
     /* body fuselage on heli */
     const double mc_heli_z = -p->m_h * p->l_cd;
     const double I_heli_yy = -p->l_cd * mc_heli_z;
@@ -320,40 +324,40 @@ void googol_inverse_dynamics(const struct googol_state *x, const struct googol_a
     const double omega_heli_y = -c_theta * v->eps - omega_arm_z * s_theta;
     const double omega_heli_z = omega_arm_z * c_theta - s_theta * v->eps;
     const double omega_heli_x = omega_arm_x - v->theta;
-    const double heli_1 = mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
-    const double heli_2 = omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
     const double alpha_heli_y = -omega_heli_z * v->theta - c_theta * a->eps - alpha_arm_z_2 * s_theta;
     const double alpha_heli_z = alpha_arm_z_2 * c_theta - s_theta * a->eps + omega_heli_y * v->theta;
-    const double heli_3 = mc_heli_z * (a->theta - alpha_arm_x + omega_heli_y * omega_heli_z);
-    const double heli_4 = I_heli_xx * (alpha_arm_x - a->theta);
-    const double heli_5 = omega_heli_y * I_z_omega_heli_z - omega_heli_z * I_heli_yy_omega_heli_y + heli_4;
-    const double n_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
+    const double heli_1 = I_heli_xx * (alpha_arm_x - a->theta);
+    const double heli_2 = omega_heli_y * I_z_omega_heli_z - omega_heli_z * I_heli_yy_omega_heli_y + heli_1;
+    const double heli_3 = omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z + I_heli_yy * alpha_heli_y;
+    const double n_net_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = p->l_oc * (alpha_arm_z_2 + alpha_arm_z);
     const double a_heli_1_z = a_arm_z + p->l_oc * (a->eps + omega_arm_z * omega_arm_x);
-    const double heli_6 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double heli_4 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
-    const double f_heli_y = p->m_h * a_heli_y + heli_3;
-    const double heli_7 = heli_5 - mc_heli_z * a_heli_y;
-    const double n_heli_y = heli_2 + I_heli_yy * alpha_heli_y + heli_6;
-    const double f_heli_z = p->m_h * a_heli_z - heli_1 - u->f_1 - u->f_2;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
-    const double n_heli_1_y = n_heli_y * c_theta + n_heli_z * s_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_net_heli_y = p->m_h * a_heli_y + mc_heli_z * (a->theta - alpha_arm_x + omega_heli_y * omega_heli_z);
+    const double heli_5 = heli_2 - mc_heli_z * a_heli_y;
+    const double n_net_heli_y = heli_3 + heli_4;
+    const double f_net_heli_z = p->m_h * a_heli_z
+        - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y)
+        - u->f_1
+        - u->f_2;
+    const double f_net_heli_1_y = f_net_heli_y * c_theta + f_net_heli_z * s_theta;
+    const double f_net_heli_1_z = f_net_heli_z * c_theta - f_net_heli_y * s_theta;
+    const double n_net_heli_1_y = n_net_heli_y * c_theta + n_net_heli_z * s_theta;
+    const double n_net_heli_1_z = n_net_heli_z * c_theta - n_net_heli_y * s_theta;
     /* force rotor_2 on heli */
-    const double n_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
+    const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     /* frame arm on column */
-    const double n_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + heli_7 - n_heli_x;
-    const double n_arm_z = arm_2 + n_heli_1_z + p->l_oc * f_heli_1_y;
-    const double n_column_z = n_arm_z * c_eps + n_arm_x * s_eps;
-    r[0] = p->c0_psi * v->psi + n_column_z; /* psi */
-    r[1] = p->c0_eps * v->eps + arm_3 - n_heli_1_y + p->l_oc * f_heli_1_z; /* eps */
-    r[2] = p->c0_theta * v->theta + n_heli_x - heli_7; /* theta */
+    const double n_net_arm_z = I_arm_yy * alpha_arm_z_2 - omega_arm_x * I_arm_yy_eps_dot + n_net_heli_1_z + p->l_oc * f_net_heli_1_y;
+    const double arm_4 = s_eps * (arm_1 + heli_5 - n_applied_heli_x);
+    r[0] = p->c0_psi * v->psi + n_net_arm_z * c_eps + arm_4; /* psi */
+    r[1] = p->c0_eps * v->eps + arm_3 - n_net_heli_1_y + p->l_oc * f_net_heli_1_z; /* eps */
+    r[2] = p->c0_theta * v->theta + n_applied_heli_x - heli_5; /* theta */
 }
 
 void googol_outputs(const struct googol_state *x, const struct googol_parameters *p, struct googol_outputs *y)
@@ -365,7 +369,11 @@ void googol_outputs(const struct googol_state *x, const struct googol_parameters
     y->theta = q->theta;
 }
 
-int googol_forward_dynamics(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, struct googol_accelerations *a)
+int googol_forward_dynamics(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    struct googol_accelerations *a)
 {
     const struct googol_coordinates *q = &x->q;
     const struct googol_rates *v = &x->v;
@@ -383,9 +391,8 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
     const double alpha_arm_z = -omega_arm_x * v->eps;
     const double I_arm_yy_eps_dot = I_arm_yy * v->eps;
     const double I_arm_yy_omega_arm_z = I_arm_yy * omega_arm_z;
-    const double arm_1 = omega_arm_x * I_arm_yy_eps_dot - I_arm_yy * alpha_arm_z;
     const double a_arm_z = p->g * c_eps;
-    const double arm_2 = omega_arm_x * I_arm_yy_omega_arm_z + a_arm_z * (m_b_l_oa - m_c_l_ob);
+    const double arm_1 = omega_arm_x * I_arm_yy_omega_arm_z + a_arm_z * (m_b_l_oa - m_c_l_ob);
     /* body fuselage on heli */
     const double mc_heli_z = -p->m_h * p->l_cd;
     const double I_heli_yy = -p->l_cd * mc_heli_z;
@@ -396,19 +403,18 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
     const double omega_heli_x = omega_arm_x - v->theta;
     const double alpha_heli_y = -alpha_arm_z * s_theta - omega_heli_z * v->theta;
     const double alpha_heli_z = omega_heli_y * v->theta + alpha_arm_z * c_theta;
-    const double heli_1 = mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
-    const double heli_2 = omega_heli_y * I_z_omega_heli_z - omega_heli_z * I_heli_yy_omega_heli_y;
-    const double heli_3 = omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
-    const double n_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
+    const double heli_1 = I_heli_xx * alpha_arm_x - omega_heli_z * I_heli_yy_omega_heli_y + omega_heli_y * I_z_omega_heli_z;
+    const double heli_2 = I_heli_yy * alpha_heli_y + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
+    const double n_moving_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x + p->I_z * alpha_heli_z;
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
     const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
     const double I_heli_yy_c_theta = I_heli_yy * c_theta;
     const double I_z_s_theta = p->I_z * s_theta;
-    const double heli_4 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
+    const double heli_3 = I_heli_yy_c_theta * c_theta + I_z_s_theta * s_theta;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_z = p->l_oc * omega_arm_z * omega_arm_x + a_arm_z;
@@ -416,42 +422,43 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y * omega_heli_z);
-    const double heli_5 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
-    const double n_heli_x = I_heli_xx * alpha_arm_x + heli_2 - mc_heli_z * a_heli_y;
-    const double n_heli_y = I_heli_yy * alpha_heli_y + heli_3 + heli_5;
-    const double n_heli_1_y = n_heli_z * s_theta + n_heli_y * c_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
-    const double f_heli_z = p->m_h * a_heli_z - heli_1 - u->f_1 - u->f_2;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
+    const double f_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
+    const double heli_4 = mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double n_heli_x = heli_1 - mc_heli_z * a_heli_y;
+    const double n_heli_y = heli_2 + heli_4;
+    const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
+    const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_net_heli_z = f_heli_z - u->f_1 - u->f_2;
+    const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
+    const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
-    const double arm_3 = c_eps * (I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta);
-    const double arm_4 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_4 + l_oc_m_h_l_oc);
-    const double arm_5 = c_eps * (arm_4 - l_oc_mc_heli_z_c_theta * s_eps);
-    const double M_psi_psi = arm_5 - M_psi_theta * s_eps;
-    const double n_arm_z = n_heli_1_z + p->l_oc * f_heli_1_y - arm_1;
+    const double arm_2 = I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta;
+    const double M_psi_eps = arm_2 * c_eps - M_eps_theta * s_eps;
+    const double arm_3 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_3 + l_oc_m_h_l_oc);
+    const double arm_4 = c_eps * (arm_3 - l_oc_mc_heli_z_c_theta * s_eps);
+    const double M_psi_psi = arm_4 - M_psi_theta * s_eps;
+    const double n_net_arm_z = n_heli_1_z + p->l_oc * f_net_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x * I_arm_yy_eps_dot;
     /* force rotor_2 on heli */
-    const double n_heli_x_2 = p->l_df * u->f_2 - p->l_df * u->f_1;
+    const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     /* frame arm on column */
-    const double n_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + n_heli_x - n_heli_x_2;
-    const double n_column_z = n_arm_z * c_eps + n_arm_x * s_eps;
+    const double n_net_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + n_heli_x - n_applied_heli_x;
+    const double n_net_column_z = n_net_arm_z * c_eps + n_net_arm_x * s_eps;
     /* balance of forces */
-    const double tau_psi = -p->c0_psi * v->psi - n_column_z;
-    const double tau_eps = n_heli_1_y - p->c0_eps * v->eps - arm_2 - p->l_oc * f_heli_1_z;
-    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_heli_x_2;
+    const double tau_psi = -p->c0_psi * v->psi - n_net_column_z;
+    const double tau_eps = n_heli_1_y - p->c0_eps * v->eps - arm_1 - p->l_oc * f_net_heli_1_z;
+    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_applied_heli_x;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / M_psi_psi;
-    const double l_eps_psi = inv_psi * (arm_3 - M_eps_theta * s_eps);
+    const double l_eps_psi = M_psi_eps * inv_psi;
     const double l_theta_psi = M_psi_theta * inv_psi;
     const double M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
-    const double pivot_eps = I_arm_yy + heli_4 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
+    const double pivot_eps = I_arm_yy + heli_3 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
     const double inv_eps = 1.0 / pivot_eps;
     const double l_theta_eps = inv_eps * (M_eps_theta - l_theta_psi * M_psi_psi_l_eps_psi);
-    const double solve_1 = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi;
-    const double pivot_theta = solve_1 - l_theta_eps * pivot_eps * l_theta_eps;
-    const double solve_2 = tau_eps - tau_psi * l_eps_psi;
-    const double theta_ddot = -(tau_psi * l_theta_psi - tau_theta + l_theta_eps * solve_2) / pivot_theta;
-    const double eps_ddot = inv_eps * solve_2 - l_theta_eps * theta_ddot;
+    const double pivot_theta = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
+    const double solve_1 = tau_eps - tau_psi * l_eps_psi;
+    const double theta_ddot = -(tau_psi * l_theta_psi - tau_theta + l_theta_eps * solve_1) / pivot_theta;
+    const double eps_ddot = inv_eps * solve_1 - l_theta_eps * theta_ddot;
     const double psi_ddot = tau_psi * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     if (!(M_psi_psi > 0.0)) {
         return 1;
@@ -468,7 +475,13 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
     return 0;
 }
 
-int googol_linearize(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, double dx[6], double a[6][6], double b[6][2])
+int googol_linearize(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2])
 {
     const struct googol_coordinates *q = &x->q;
     const struct googol_rates *v = &x->v;
@@ -517,7 +530,7 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double heli_5 = omega_heli_y * I_heli_xx_omega_heli_x;
     const double heli_6 = omega_heli_x * I_heli_yy_omega_heli_y - heli_5;
     const double heli_7 = I_heli_yy * (-alpha_arm_z * s_theta - omega_heli_z_theta_dot) + heli_4;
-    const double n_heli_z = heli_6 - p->I_z * (-omega_heli_y_theta_dot - alpha_arm_z * c_theta);
+    const double n_moving_heli_z = heli_6 - p->I_z * (-omega_heli_y_theta_dot - alpha_arm_z * c_theta);
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
     const double I_heli_xx_s_eps = I_heli_xx * s_eps;
@@ -535,21 +548,21 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double heli_9 = mc_heli_z * (a_arm_x + a_heli_1_x);
     const double n_heli_x = I_heli_xx * alpha_arm_x + heli_2 - mc_heli_z * a_heli_y;
     const double n_heli_y = heli_7 + heli_9;
-    const double n_heli_1_y = n_heli_z * s_theta + n_heli_y * c_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
-    const double f_heli_z = p->m_h * a_heli_z - heli_1 - f_s;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
+    const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
+    const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_net_heli_z = p->m_h * a_heli_z - heli_1 - f_s;
+    const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
+    const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
-    const double arm_2 = c_eps * (I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta);
+    const double arm_2 = I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta;
+    const double M_psi_eps = arm_2 * c_eps - M_eps_theta * s_eps;
     const double arm_3 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_8 + l_oc_m_h_l_oc);
     const double arm_4 = c_eps * (arm_3 - l_oc_mc_heli_z_c_theta * s_eps);
     const double M_psi_psi = arm_4 - M_psi_theta * s_eps;
-    const double n_arm_z = n_heli_1_z + p->l_oc * f_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x_I_arm_yy_eps_dot;
-    const double arm_5 = omega_arm_x * I_arm_yy_omega_arm_z + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_heli_1_z;
+    const double n_net_arm_z = n_heli_1_z + p->l_oc * f_net_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x_I_arm_yy_eps_dot;
+    const double arm_5 = omega_arm_x * I_arm_yy_omega_arm_z + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_net_heli_1_z;
     /* force rotor_2 on heli */
-    const double n_heli_x_2 = p->l_df * u->f_2 - p->l_df * u->f_1;
-    /* gravity */
+    const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     const double c_eps_s_theta = c_eps * s_theta;
     const double c_eps_c_theta = c_eps * c_theta;
     const double I_z_c_eps_c_theta = p->I_z * c_eps_c_theta;
@@ -561,35 +574,34 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double I_z_omega_arm_x_c_theta = p->I_z * omega_arm_x_c_theta;
     const double I_z_omega_heli_y = p->I_z * omega_heli_y;
     /* frame arm on column */
-    const double n_column_z = n_arm_z * c_eps + s_eps * (arm_1 + n_heli_x - n_heli_x_2);
+    const double arm_6 = s_eps * (arm_1 + n_heli_x - n_applied_heli_x);
     /* balance of forces */
-    const double tau_psi = -p->c0_psi * v->psi - n_column_z;
-    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_heli_x_2;
+    const double tau_psi = -p->c0_psi * v->psi - n_net_arm_z * c_eps - arm_6;
+    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_applied_heli_x;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / M_psi_psi;
-    const double l_eps_psi = inv_psi * (arm_2 - M_eps_theta * s_eps);
+    const double l_eps_psi = M_psi_eps * inv_psi;
     const double l_theta_psi = M_psi_theta * inv_psi;
     const double M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
     const double pivot_eps = I_arm_yy + heli_8 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
     const double inv_eps = 1.0 / pivot_eps;
     const double l_theta_eps = inv_eps * (M_eps_theta - l_theta_psi * M_psi_psi_l_eps_psi);
-    const double solve_1 = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi;
-    const double pivot_theta = solve_1 - l_theta_eps * pivot_eps * l_theta_eps;
+    const double pivot_theta = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     const double inv_theta = 1.0 / pivot_theta;
-    const double solve_2 = tau_psi * l_eps_psi + p->c0_eps * v->eps + arm_5;
-    const double theta_ddot = -inv_theta * (tau_psi * l_theta_psi - tau_theta - l_theta_eps * solve_2);
-    const double eps_ddot = -inv_eps * solve_2 - l_theta_eps * theta_ddot;
+    const double solve_1 = tau_psi * l_eps_psi + p->c0_eps * v->eps + arm_5;
+    const double theta_ddot = -inv_theta * (tau_psi * l_theta_psi - tau_theta - l_theta_eps * solve_1);
+    const double eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
     const double psi_ddot = tau_psi * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
-    /* input map */
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_eps = p->l_df * s_eps;
+    /* input map */
     const double input_map_1 = l_oc_c_eps_s_theta - l_df_s_eps;
     const double input_map_2 = l_oc_c_eps_s_theta + l_df_s_eps;
-    /* derivatives with respect to eps */
     const double two_omega_arm_z = 2.0 * omega_arm_z;
     const double I_arm_yy_omega_arm_x = I_arm_yy * omega_arm_x;
     const double two_omega_heli_x = 2.0 * omega_heli_x;
     const double two_omega_heli_y = 2.0 * omega_heli_y;
+    /* derivatives with respect to eps */
     const double by_eps_1 = mc_heli_z * (omega_arm_z * two_omega_heli_x + omega_arm_x_s_theta * two_omega_heli_y);
     const double I_heli_xx_omega_arm_z = I_heli_xx * omega_arm_z;
     const double by_eps_2 = I_heli_yy * omega_arm_x_s_theta;
@@ -602,82 +614,89 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double by_eps_9 = mc_heli_z * (a_arm_z + p->l_oc * omega_arm_x * two_omega_arm_z);
     const double by_eps_10 = omega_arm_z * I_arm_yy_omega_arm_z - omega_arm_x * I_arm_yy_omega_arm_x - mc_arm_x * a_arm_x;
     const double by_eps_11 = p->l_oc * (omega_arm_z_sq - omega_arm_x * omega_arm_x) - a_arm_x;
-    /* derivatives with respect to theta */
     const double I_heli_yy_omega_heli_z = I_heli_yy * omega_heli_z;
+    /* derivatives with respect to theta */
     const double by_theta_1 = omega_heli_z * I_z_omega_heli_z - omega_heli_y * I_z_omega_heli_y;
     const double by_theta_2 = omega_heli_z * I_heli_yy_omega_heli_z - omega_heli_y * I_heli_yy_omega_heli_y - by_theta_1;
-    /* derivatives with respect to psi_dot */
     const double I_arm_yy_c_eps = I_arm_yy * c_eps;
-    const double by_psi_dot_1 = mc_heli_z * (two_omega_heli_x * s_eps - c_eps_s_theta * two_omega_heli_y);
+    /* derivatives with respect to psi_dot */
+    const double by_psi_dot_1 = I_arm_yy_omega_arm_z * s_eps + omega_arm_x * I_arm_yy_c_eps;
+    const double by_psi_dot_2 = mc_heli_z * (two_omega_heli_x * s_eps - c_eps_s_theta * two_omega_heli_y);
     const double I_heli_yy_c_eps_s_theta = I_heli_yy * c_eps_s_theta;
-    const double by_psi_dot_2 = I_z_omega_heli_z * c_eps_s_theta - omega_heli_y * I_z_c_eps_c_theta;
-    const double by_psi_dot_3 = omega_heli_z * I_heli_yy_c_eps_s_theta - I_heli_yy_omega_heli_y * c_eps_c_theta - by_psi_dot_2;
-    const double by_psi_dot_4 = I_z_omega_heli_z * s_eps + omega_heli_x * I_z_c_eps_c_theta;
-    const double by_psi_dot_5 = I_heli_xx_omega_heli_x * c_eps_c_theta + omega_heli_z * I_heli_xx_s_eps - by_psi_dot_4;
-    const double by_psi_dot_6 = omega_heli_x * I_heli_yy_c_eps_s_theta - I_heli_yy_omega_heli_y * s_eps;
-    const double by_psi_dot_7 = I_heli_xx_omega_heli_x * c_eps_s_theta - omega_heli_y * I_heli_xx_s_eps - by_psi_dot_6;
+    const double by_psi_dot_3 = I_z_omega_heli_z * c_eps_s_theta - omega_heli_y * I_z_c_eps_c_theta;
+    const double by_psi_dot_4 = omega_heli_z * I_heli_yy_c_eps_s_theta - I_heli_yy_omega_heli_y * c_eps_c_theta - by_psi_dot_3;
+    const double by_psi_dot_5 = I_z_omega_heli_z * s_eps + omega_heli_x * I_z_c_eps_c_theta;
+    const double by_psi_dot_6 = I_heli_xx_omega_heli_x * c_eps_c_theta + omega_heli_z * I_heli_xx_s_eps - by_psi_dot_5;
+    const double by_psi_dot_7 = omega_heli_x * I_heli_yy_c_eps_s_theta - I_heli_yy_omega_heli_y * s_eps;
+    const double by_psi_dot_8 = I_heli_xx_omega_heli_x * c_eps_s_theta - omega_heli_y * I_heli_xx_s_eps - by_psi_dot_7;
+    const double by_psi_dot_9 = p->l_oc * mc_heli_z * two_omega_arm_z * c_eps;
+    const double by_psi_dot_10 = I_arm_yy_eps_dot * s_eps + I_arm_yy * s_eps_eps_dot;
     const double two_l_oc_s_eps_eps_dot = 2.0 * p->l_oc * s_eps_eps_dot;
-    const double by_psi_dot_8 = p->l_oc * (omega_arm_x * c_eps + omega_arm_z * s_eps);
-    const double by_psi_dot_9 = two_l_oc_s_eps_eps_dot * c_theta + by_psi_dot_8 * s_theta;
-    const double by_psi_dot_10 = p->m_h * (by_psi_dot_8 * c_theta - two_l_oc_s_eps_eps_dot * s_theta);
-    const double by_psi_dot_11 = c_eps_eps_dot + omega_heli_z * c_eps_s_theta - omega_heli_y * c_eps_c_theta;
-    const double by_psi_dot_12 = p->m_h * by_psi_dot_9 + mc_heli_z * by_psi_dot_11;
-    const double by_psi_dot_13 = by_psi_dot_10 - by_psi_dot_1;
-    const double by_psi_dot_14 = I_heli_yy * (c_eps_c_theta * v->theta - s_eps_eps_dot * s_theta);
-    const double by_psi_dot_15 = p->I_z * (s_eps_eps_dot * c_theta + c_eps_s_theta * v->theta);
-    const double by_psi_dot_16 = by_psi_dot_7 - by_psi_dot_15;
-    const double by_psi_dot_17 = mc_heli_z * by_psi_dot_9 + by_psi_dot_3 + I_heli_xx * c_eps_eps_dot;
-    const double by_psi_dot_18 = by_psi_dot_5 - p->l_oc * mc_heli_z * two_omega_arm_z * c_eps - by_psi_dot_14;
-    const double by_psi_dot_19 = p->l_oc * (by_psi_dot_13 * c_theta + by_psi_dot_12 * s_theta);
-    const double by_psi_dot_20 = p->l_oc * (by_psi_dot_13 * s_theta - by_psi_dot_12 * c_theta);
-    const double by_psi_dot_21 = by_psi_dot_18 * c_theta + by_psi_dot_16 * s_theta - by_psi_dot_19;
-    const double by_psi_dot_22 = by_psi_dot_16 * c_theta - by_psi_dot_18 * s_theta + by_psi_dot_20;
-    const double by_psi_dot_23 = I_arm_yy_eps_dot * c_eps - I_arm_yy_c_eps * v->eps + by_psi_dot_17;
-    const double by_psi_dot_24 = by_psi_dot_22 - I_arm_yy_eps_dot * s_eps - I_arm_yy * s_eps_eps_dot;
-    const double by_psi_dot_25 = p->c0_psi + by_psi_dot_24 * c_eps + by_psi_dot_23 * s_eps;
-    const double by_psi_dot_26 = by_psi_dot_21 - I_arm_yy_omega_arm_z * s_eps - omega_arm_x * I_arm_yy_c_eps;
-    const double by_psi_dot_27 = by_psi_dot_26 + l_eps_psi * by_psi_dot_25;
-    const double by_psi_dot_28 = by_psi_dot_17 + l_theta_psi * by_psi_dot_25 - l_theta_eps * by_psi_dot_27;
-    const double d_theta_ddot_by_psi_dot = inv_theta * by_psi_dot_28;
-    const double d_eps_ddot_by_psi_dot = inv_eps * by_psi_dot_27 - l_theta_eps * d_theta_ddot_by_psi_dot;
-    const double by_psi_dot_29 = inv_psi * by_psi_dot_25 + l_eps_psi * d_eps_ddot_by_psi_dot;
+    const double by_psi_dot_11 = p->l_oc * (omega_arm_x * c_eps + omega_arm_z * s_eps);
+    const double by_psi_dot_12 = two_l_oc_s_eps_eps_dot * c_theta + by_psi_dot_11 * s_theta;
+    const double by_psi_dot_13 = p->m_h * (by_psi_dot_11 * c_theta - two_l_oc_s_eps_eps_dot * s_theta);
+    const double by_psi_dot_14 = c_eps_eps_dot + omega_heli_z * c_eps_s_theta - omega_heli_y * c_eps_c_theta;
+    const double by_psi_dot_15 = p->m_h * by_psi_dot_12 + mc_heli_z * by_psi_dot_14;
+    const double by_psi_dot_16 = by_psi_dot_13 - by_psi_dot_2;
+    const double by_psi_dot_17 = I_heli_yy * (c_eps_c_theta * v->theta - s_eps_eps_dot * s_theta);
+    const double by_psi_dot_18 = p->I_z * (s_eps_eps_dot * c_theta + c_eps_s_theta * v->theta);
+    const double by_psi_dot_19 = by_psi_dot_8 - by_psi_dot_18;
+    const double by_psi_dot_20 = mc_heli_z * by_psi_dot_12 + by_psi_dot_4 + I_heli_xx * c_eps_eps_dot;
+    const double by_psi_dot_21 = by_psi_dot_6 - by_psi_dot_9 - by_psi_dot_17;
+    const double by_psi_dot_22 = by_psi_dot_21 * c_theta + by_psi_dot_19 * s_theta;
+    const double by_psi_dot_23 = by_psi_dot_19 * c_theta - by_psi_dot_21 * s_theta;
+    const double by_psi_dot_24 = p->l_oc * (by_psi_dot_16 * c_theta + by_psi_dot_15 * s_theta);
+    const double by_psi_dot_25 = p->l_oc * (by_psi_dot_16 * s_theta - by_psi_dot_15 * c_theta);
+    const double by_psi_dot_26 = I_arm_yy_eps_dot * c_eps - I_arm_yy_c_eps * v->eps + by_psi_dot_20;
+    const double by_psi_dot_27 = c_eps * (by_psi_dot_23 + by_psi_dot_25 - by_psi_dot_10);
+    const double by_psi_dot_28 = p->c0_psi + by_psi_dot_27 + by_psi_dot_26 * s_eps;
+    const double by_psi_dot_29 = by_psi_dot_22 - by_psi_dot_24 - by_psi_dot_1 + l_eps_psi * by_psi_dot_28;
+    const double by_psi_dot_30 = by_psi_dot_20 + l_theta_psi * by_psi_dot_28 - l_theta_eps * by_psi_dot_29;
+    const double d_theta_ddot_by_psi_dot = inv_theta * by_psi_dot_30;
+    const double d_eps_ddot_by_psi_dot = inv_eps * by_psi_dot_29 - l_theta_eps * d_theta_ddot_by_psi_dot;
+    const double d_psi_ddot_by_psi_dot = -l_theta_psi * d_theta_ddot_by_psi_dot
+        - inv_psi * by_psi_dot_28
+        - l_eps_psi * d_eps_ddot_by_psi_dot;
     /* derivatives with respect to eps_dot */
-    const double by_eps_dot_1 = I_z_omega_heli_z * c_theta + omega_heli_y * I_z_s_theta;
-    const double by_eps_dot_2 = omega_heli_z * I_heli_yy_c_theta + I_heli_yy_omega_heli_y * s_theta - by_eps_dot_1;
+    const double by_eps_dot_1 = mc_heli_z * two_omega_heli_y * c_theta;
+    const double by_eps_dot_2 = I_z_omega_heli_z * c_theta + omega_heli_y * I_z_s_theta;
+    const double by_eps_dot_3 = omega_heli_z * I_heli_yy_c_theta + I_heli_yy_omega_heli_y * s_theta - by_eps_dot_2;
     const double two_l_oc_omega_arm_x = 2.0 * p->l_oc * omega_arm_x;
     const double two_l_oc_omega_arm_x_c_theta = two_l_oc_omega_arm_x * c_theta;
-    const double by_eps_dot_3 = omega_arm_z + omega_heli_z * c_theta + omega_heli_y * s_theta;
-    const double by_eps_dot_4 = p->m_h * two_l_oc_omega_arm_x_c_theta + mc_heli_z * by_eps_dot_3;
-    const double by_eps_dot_5 = mc_heli_z * two_omega_heli_y * c_theta - p->m_h * two_l_oc_omega_arm_x * s_theta;
-    const double by_eps_dot_6 = I_heli_yy * (s_theta * v->theta + omega_arm_x_s_theta);
-    const double by_eps_dot_7 = p->I_z * (c_theta * v->theta + omega_arm_x_c_theta);
-    const double by_eps_dot_8 = omega_heli_x * I_z_s_theta - I_heli_xx_omega_heli_x * s_theta + by_eps_dot_6;
-    const double by_eps_dot_9 = I_heli_xx_omega_heli_x * c_theta - omega_heli_x * I_heli_yy_c_theta - by_eps_dot_7;
-    const double by_eps_dot_10 = mc_heli_z * two_l_oc_omega_arm_x_c_theta + I_heli_xx_omega_arm_z + by_eps_dot_2;
-    const double by_eps_dot_11 = by_eps_dot_8 - 2.0 * p->l_oc * mc_heli_z * v->eps;
-    const double by_eps_dot_12 = p->l_oc * (by_eps_dot_5 * c_theta + by_eps_dot_4 * s_theta);
-    const double by_eps_dot_13 = p->l_oc * (by_eps_dot_5 * s_theta - by_eps_dot_4 * c_theta);
-    const double by_eps_dot_14 = by_eps_dot_9 * c_theta - by_eps_dot_11 * s_theta + by_eps_dot_13;
-    const double by_eps_dot_15 = by_eps_dot_12 - by_eps_dot_11 * c_theta - by_eps_dot_9 * s_theta;
-    const double by_eps_dot_16 = c_eps * (by_eps_dot_14 - 2.0 * I_arm_yy_omega_arm_x);
-    const double by_eps_dot_17 = by_eps_dot_16 + by_eps_dot_10 * s_eps;
-    const double by_eps_dot_18 = l_eps_psi * by_eps_dot_17 - p->c0_eps - by_eps_dot_15;
-    const double by_eps_dot_19 = by_eps_dot_10 + l_theta_psi * by_eps_dot_17 - l_theta_eps * by_eps_dot_18;
-    const double d_theta_ddot_by_eps_dot = inv_theta * by_eps_dot_19;
-    const double d_eps_ddot_by_eps_dot = inv_eps * by_eps_dot_18 - l_theta_eps * d_theta_ddot_by_eps_dot;
-    const double by_eps_dot_20 = inv_psi * by_eps_dot_17 + l_eps_psi * d_eps_ddot_by_eps_dot;
-    /* derivatives with respect to theta_dot */
+    const double by_eps_dot_4 = mc_heli_z * (omega_arm_z + omega_heli_z * c_theta + omega_heli_y * s_theta);
+    const double by_eps_dot_5 = p->m_h * two_l_oc_omega_arm_x_c_theta + by_eps_dot_4;
+    const double by_eps_dot_6 = by_eps_dot_1 - p->m_h * two_l_oc_omega_arm_x * s_theta;
+    const double by_eps_dot_7 = I_heli_yy * (s_theta * v->theta + omega_arm_x_s_theta);
+    const double by_eps_dot_8 = p->I_z * (c_theta * v->theta + omega_arm_x_c_theta);
+    const double by_eps_dot_9 = omega_heli_x * I_z_s_theta - I_heli_xx_omega_heli_x * s_theta + by_eps_dot_7;
+    const double by_eps_dot_10 = I_heli_xx_omega_heli_x * c_theta - omega_heli_x * I_heli_yy_c_theta - by_eps_dot_8;
+    const double by_eps_dot_11 = mc_heli_z * two_l_oc_omega_arm_x_c_theta + I_heli_xx_omega_arm_z + by_eps_dot_3;
+    const double by_eps_dot_12 = by_eps_dot_9 - 2.0 * p->l_oc * mc_heli_z * v->eps;
+    const double by_eps_dot_13 = by_eps_dot_12 * c_theta + by_eps_dot_10 * s_theta;
+    const double by_eps_dot_14 = by_eps_dot_10 * c_theta - by_eps_dot_12 * s_theta;
+    const double by_eps_dot_15 = p->l_oc * (by_eps_dot_6 * c_theta + by_eps_dot_5 * s_theta);
+    const double by_eps_dot_16 = p->l_oc * (by_eps_dot_6 * s_theta - by_eps_dot_5 * c_theta);
+    const double by_eps_dot_17 = c_eps * (by_eps_dot_14 - 2.0 * I_arm_yy_omega_arm_x + by_eps_dot_16);
+    const double by_eps_dot_18 = by_eps_dot_17 + by_eps_dot_11 * s_eps;
+    const double by_eps_dot_19 = l_eps_psi * by_eps_dot_18 - p->c0_eps - by_eps_dot_15 + by_eps_dot_13;
+    const double by_eps_dot_20 = by_eps_dot_11 + l_theta_psi * by_eps_dot_18 - l_theta_eps * by_eps_dot_19;
+    const double d_theta_ddot_by_eps_dot = inv_theta * by_eps_dot_20;
+    const double d_eps_ddot_by_eps_dot = inv_eps * by_eps_dot_19 - l_theta_eps * d_theta_ddot_by_eps_dot;
+    const double d_psi_ddot_by_eps_dot = -l_theta_psi * d_theta_ddot_by_eps_dot
+        - inv_psi * by_eps_dot_18
+        - l_eps_psi * d_eps_ddot_by_eps_dot;
     const double two_mc_heli_z_omega_heli_x = 2.0 * mc_heli_z * omega_heli_x;
+    /* derivatives with respect to theta_dot */
     const double by_theta_dot_1 = I_z_omega_heli_z - I_heli_xx * omega_heli_z - I_heli_yy_omega_heli_z;
     const double by_theta_dot_2 = I_heli_xx * omega_heli_y - I_heli_yy_omega_heli_y + I_z_omega_heli_y;
     const double by_theta_dot_3 = by_theta_dot_1 * c_theta + by_theta_dot_2 * s_theta;
     const double by_theta_dot_4 = by_theta_dot_2 * c_theta - by_theta_dot_1 * s_theta;
-    const double by_theta_dot_5 = c_eps * (by_theta_dot_4 + p->l_oc * two_mc_heli_z_omega_heli_x * s_theta);
-    const double by_theta_dot_6 = by_theta_dot_3 - p->l_oc * two_mc_heli_z_omega_heli_x * c_theta + l_eps_psi * by_theta_dot_5;
-    const double by_theta_dot_7 = p->c0_theta - l_theta_psi * by_theta_dot_5 + l_theta_eps * by_theta_dot_6;
-    const double d_theta_ddot_by_theta_dot = -inv_theta * by_theta_dot_7;
-    const double d_eps_ddot_by_theta_dot = inv_eps * by_theta_dot_6 - l_theta_eps * d_theta_ddot_by_theta_dot;
-    const double by_theta_dot_8 = inv_psi * by_theta_dot_5 + l_eps_psi * d_eps_ddot_by_theta_dot;
+    const double by_theta_dot_5 = by_theta_dot_3 - p->l_oc * two_mc_heli_z_omega_heli_x * c_theta;
+    const double by_theta_dot_6 = c_eps * (by_theta_dot_4 + p->l_oc * two_mc_heli_z_omega_heli_x * s_theta);
+    const double by_theta_dot_7 = by_theta_dot_5 + l_eps_psi * by_theta_dot_6;
+    const double d_theta_ddot_by_theta_dot = -inv_theta * (p->c0_theta - l_theta_psi * by_theta_dot_6 + l_theta_eps * by_theta_dot_7);
+    const double d_eps_ddot_by_theta_dot = inv_eps * by_theta_dot_7 - l_theta_eps * d_theta_ddot_by_theta_dot;
+    const double by_theta_dot_8 = inv_psi * by_theta_dot_6 + l_eps_psi * d_eps_ddot_by_theta_dot;
     /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = alpha_arm_x + psi_ddot * s_eps;
     const double slopes_2 = alpha_arm_z + psi_ddot * c_eps;
@@ -692,71 +711,72 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double m_h_slopes_8 = p->m_h * slopes_8;
     const double slopes_9 = mc_heli_z * (slopes_1_minus_theta_ddot - omega_heli_y_omega_heli_z) + m_h_slopes_7;
     const double heli_6_minus_I_z_slopes_6 = heli_6 - p->I_z * slopes_6;
-    const double slopes_10 = heli_4 - I_heli_yy * slopes_5 + heli_9;
-    const double slopes_11 = m_h_slopes_8 - heli_1 - f_s;
-    const double slopes_12 = heli_2 + I_heli_xx * slopes_1_minus_theta_ddot + mc_heli_z * slopes_7 - n_heli_x_2;
+    const double slopes_10 = heli_2 + I_heli_xx * slopes_1_minus_theta_ddot + mc_heli_z * slopes_7;
+    const double slopes_11 = heli_4 - I_heli_yy * slopes_5 + heli_9;
+    const double slopes_12 = m_h_slopes_8 - heli_1 - f_s;
     const double slopes_9_c_theta = slopes_9 * c_theta;
+    const double slopes_12_s_theta = slopes_12 * s_theta;
     const double slopes_11_s_theta = slopes_11 * s_theta;
-    const double slopes_10_s_theta = slopes_10 * s_theta;
     const double slopes_13 = heli_6_minus_I_z_slopes_6 * c_theta;
-    const double slopes_14 = slopes_13 - slopes_10_s_theta + p->l_oc * (slopes_11_s_theta - slopes_9_c_theta);
+    const double slopes_14 = slopes_13 - slopes_11_s_theta + p->l_oc * (slopes_12_s_theta - slopes_9_c_theta);
     const double slopes_15 = s_eps * (slopes_14 - omega_arm_x_I_arm_yy_eps_dot + I_arm_yy * slopes_2);
-    const double slopes_16 = p->l_oc * (alpha_arm_x + slopes_1);
-    const double slopes_17 = by_eps_11 * s_theta + slopes_16 * c_theta;
-    const double slopes_18 = p->m_h * (by_eps_11 * c_theta - slopes_16 * s_theta);
-    const double slopes_19 = omega_heli_z * omega_arm_x_s_theta - omega_heli_y * omega_arm_x_c_theta - slopes_2;
-    const double slopes_20 = p->m_h * slopes_17 - mc_heli_z * slopes_19;
-    const double slopes_18_minus_by_eps_1 = slopes_18 - by_eps_1;
-    const double slopes_21 = I_heli_yy * (omega_arm_x_c_theta * v->theta + slopes_1 * s_theta);
-    const double slopes_22 = p->I_z * (omega_arm_x_s_theta * v->theta - slopes_1 * c_theta);
-    const double by_eps_8_plus_slopes_22 = by_eps_8 + slopes_22;
-    const double slopes_23 = by_eps_4 + I_heli_xx * slopes_2 + mc_heli_z * slopes_17;
-    const double slopes_24 = by_eps_6 + slopes_21 + by_eps_9;
-    const double slopes_25 = p->l_oc * (slopes_20 * s_theta + slopes_18_minus_by_eps_1 * c_theta);
-    const double slopes_26 = p->l_oc * (slopes_18_minus_by_eps_1 * s_theta - slopes_20 * c_theta);
-    const double slopes_27 = slopes_24 * c_theta + by_eps_8_plus_slopes_22 * s_theta - slopes_25;
-    const double slopes_28 = by_eps_8_plus_slopes_22 * c_theta - slopes_24 * s_theta + slopes_26;
-    const double slopes_29 = c_eps * (slopes_28 - omega_arm_z_I_arm_yy_eps_dot - I_arm_yy * slopes_1);
-    const double slopes_30 = s_eps * (I_arm_yy_omega_arm_x * v->eps - omega_arm_x_I_arm_yy_eps_dot + slopes_23);
-    const double slopes_31 = c_eps * (arm_1 + slopes_12) + slopes_30;
-    const double slopes_32 = slopes_29 - slopes_15 + slopes_31;
-    const double slopes_33 = m_h_slopes_8 - mc_heli_z * (omega_heli_y_sq - omega_heli_z * omega_heli_z);
-    const double slopes_34 = mc_heli_z * omega_heli_z * two_omega_heli_y - m_h_slopes_7;
-    const double slopes_35 = heli_5 - omega_heli_x * I_z_omega_heli_y + I_heli_yy * slopes_6;
-    const double slopes_36 = heli_3 - omega_heli_x * I_heli_yy_omega_heli_z - p->I_z * slopes_5;
-    const double slopes_37 = by_theta_2 + mc_heli_z * slopes_8;
-    const double slopes_38 = slopes_33 * c_theta - slopes_9 * s_theta;
-    const double slopes_39 = slopes_9_c_theta + slopes_33 * s_theta;
-    const double slopes_40 = slopes_11 * c_theta + slopes_34 * s_theta - slopes_38;
-    const double slopes_41 = slopes_13 + slopes_36 * s_theta;
-    const double slopes_42 = slopes_10 * c_theta + slopes_35 * s_theta;
-    const double slopes_43 = slopes_36 * c_theta - heli_6_minus_I_z_slopes_6 * s_theta - slopes_42;
-    const double slopes_44 = p->l_oc * (slopes_34 * c_theta - slopes_11_s_theta + slopes_39);
-    const double slopes_45 = c_eps * (slopes_43 + p->l_oc * slopes_40);
-    const double slopes_46 = slopes_45 + slopes_37 * s_eps;
+    const double slopes_16 = c_eps * (arm_1 + slopes_10 - n_applied_heli_x);
+    const double slopes_17 = p->l_oc * (alpha_arm_x + slopes_1);
+    const double slopes_18 = by_eps_11 * s_theta + slopes_17 * c_theta;
+    const double slopes_19 = p->m_h * (by_eps_11 * c_theta - slopes_17 * s_theta);
+    const double slopes_20 = omega_heli_z * omega_arm_x_s_theta - omega_heli_y * omega_arm_x_c_theta - slopes_2;
+    const double slopes_21 = p->m_h * slopes_18 - mc_heli_z * slopes_20;
+    const double slopes_19_minus_by_eps_1 = slopes_19 - by_eps_1;
+    const double slopes_22 = I_heli_yy * (omega_arm_x_c_theta * v->theta + slopes_1 * s_theta);
+    const double slopes_23 = p->I_z * (omega_arm_x_s_theta * v->theta - slopes_1 * c_theta);
+    const double by_eps_8_plus_slopes_23 = by_eps_8 + slopes_23;
+    const double slopes_24 = by_eps_4 + I_heli_xx * slopes_2 + mc_heli_z * slopes_18;
+    const double slopes_25 = by_eps_6 + slopes_22 + by_eps_9;
+    const double slopes_26 = slopes_25 * c_theta + by_eps_8_plus_slopes_23 * s_theta;
+    const double slopes_27 = by_eps_8_plus_slopes_23 * c_theta - slopes_25 * s_theta;
+    const double slopes_28 = p->l_oc * (slopes_21 * s_theta + slopes_19_minus_by_eps_1 * c_theta);
+    const double slopes_29 = p->l_oc * (slopes_19_minus_by_eps_1 * s_theta - slopes_21 * c_theta);
+    const double slopes_30 = slopes_27 + slopes_29 - omega_arm_z_I_arm_yy_eps_dot - I_arm_yy * slopes_1;
+    const double slopes_31 = slopes_30 * c_eps - slopes_15;
+    const double slopes_32 = s_eps * (I_arm_yy_omega_arm_x * v->eps - omega_arm_x_I_arm_yy_eps_dot + slopes_24);
+    const double slopes_33 = slopes_31 + slopes_16 + slopes_32;
+    const double slopes_34 = m_h_slopes_8 - mc_heli_z * (omega_heli_y_sq - omega_heli_z * omega_heli_z);
+    const double slopes_35 = mc_heli_z * omega_heli_z * two_omega_heli_y - m_h_slopes_7;
+    const double slopes_36 = heli_5 - omega_heli_x * I_z_omega_heli_y + I_heli_yy * slopes_6;
+    const double slopes_37 = heli_3 - omega_heli_x * I_heli_yy_omega_heli_z - p->I_z * slopes_5;
+    const double slopes_38 = by_theta_2 + mc_heli_z * slopes_8;
+    const double slopes_39 = slopes_34 * c_theta - slopes_9 * s_theta;
+    const double slopes_40 = slopes_12 * c_theta + slopes_35 * s_theta;
+    const double slopes_41 = slopes_9_c_theta + slopes_34 * s_theta;
+    const double slopes_42 = slopes_13 + slopes_37 * s_theta;
+    const double slopes_43 = slopes_11 * c_theta + slopes_36 * s_theta;
+    const double slopes_44 = slopes_37 * c_theta - heli_6_minus_I_z_slopes_6 * s_theta;
+    const double slopes_45 = slopes_36 * c_theta - slopes_11_s_theta + slopes_42;
+    const double slopes_46 = p->l_oc * (slopes_35 * c_theta - slopes_12_s_theta + slopes_41);
+    const double slopes_47 = slopes_44 - slopes_43 + p->l_oc * (slopes_40 - slopes_39);
+    const double slopes_48 = slopes_47 * c_eps + slopes_38 * s_eps;
     /* derivatives with respect to eps */
-    const double by_eps_12 = slopes_27 - by_eps_10 + l_eps_psi * slopes_32;
-    const double by_eps_13 = slopes_23 + l_theta_psi * slopes_32 - l_theta_eps * by_eps_12;
+    const double by_eps_12 = slopes_26 - slopes_28 - by_eps_10 + l_eps_psi * slopes_33;
+    const double by_eps_13 = slopes_24 + l_theta_psi * slopes_33 - l_theta_eps * by_eps_12;
     const double d_theta_ddot_by_eps = inv_theta * by_eps_13;
     const double d_eps_ddot_by_eps = inv_eps * by_eps_12 - l_theta_eps * d_theta_ddot_by_eps;
-    const double by_eps_14 = inv_psi * slopes_32 + l_eps_psi * d_eps_ddot_by_eps;
+    const double d_psi_ddot_by_eps = -l_theta_psi * d_theta_ddot_by_eps - inv_psi * slopes_33 - l_eps_psi * d_eps_ddot_by_eps;
     /* derivatives with respect to theta */
-    const double by_theta_3 = slopes_35 * c_theta - slopes_10_s_theta + slopes_41 - slopes_44;
-    const double by_theta_4 = by_theta_3 + l_eps_psi * slopes_46;
-    const double by_theta_5 = slopes_37 + l_theta_psi * slopes_46 - l_theta_eps * by_theta_4;
-    const double d_theta_ddot_by_theta = inv_theta * by_theta_5;
-    const double d_eps_ddot_by_theta = inv_eps * by_theta_4 - l_theta_eps * d_theta_ddot_by_theta;
-    const double by_theta_6 = inv_psi * slopes_46 + l_eps_psi * d_eps_ddot_by_theta;
+    const double by_theta_3 = slopes_45 - slopes_46 + l_eps_psi * slopes_48;
+    const double by_theta_4 = slopes_38 + l_theta_psi * slopes_48 - l_theta_eps * by_theta_3;
+    const double d_theta_ddot_by_theta = inv_theta * by_theta_4;
+    const double d_eps_ddot_by_theta = inv_eps * by_theta_3 - l_theta_eps * d_theta_ddot_by_theta;
+    const double d_psi_ddot_by_theta = -l_theta_psi * d_theta_ddot_by_theta - inv_psi * slopes_48 - l_eps_psi * d_eps_ddot_by_theta;
     /* derivatives with respect to f_1 */
     const double by_f_1_1 = l_oc_c_theta - l_eps_psi * input_map_1;
     const double d_theta_ddot_by_f_1 = inv_theta * (p->l_df - l_theta_psi * input_map_1 - l_theta_eps * by_f_1_1);
     const double d_eps_ddot_by_f_1 = inv_eps * by_f_1_1 - l_theta_eps * d_theta_ddot_by_f_1;
-    const double by_f_1_2 = inv_psi * input_map_1 - l_eps_psi * d_eps_ddot_by_f_1;
+    const double d_psi_ddot_by_f_1 = inv_psi * input_map_1 - l_eps_psi * d_eps_ddot_by_f_1 - l_theta_psi * d_theta_ddot_by_f_1;
     /* derivatives with respect to f_2 */
     const double by_f_2_1 = l_oc_c_theta - l_eps_psi * input_map_2;
     const double d_theta_ddot_by_f_2 = inv_theta * (-l_theta_psi * input_map_2 - p->l_df - l_theta_eps * by_f_2_1);
     const double d_eps_ddot_by_f_2 = inv_eps * by_f_2_1 - l_theta_eps * d_theta_ddot_by_f_2;
-    const double by_f_2_2 = inv_psi * input_map_2 - l_eps_psi * d_eps_ddot_by_f_2;
+    const double d_psi_ddot_by_f_2 = inv_psi * input_map_2 - l_eps_psi * d_eps_ddot_by_f_2 - l_theta_psi * d_theta_ddot_by_f_2;
     if (!(M_psi_psi > 0.0)) {
         return 1;
     }
@@ -780,10 +800,10 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     a[0][3] = 1.0; /* psi' */
     a[1][4] = 1.0; /* eps' */
     a[2][5] = 1.0; /* theta' */
-    a[3][1] = -l_theta_psi * d_theta_ddot_by_eps - by_eps_14; /* psi'' */
-    a[3][2] = -l_theta_psi * d_theta_ddot_by_theta - by_theta_6;
-    a[3][3] = -l_theta_psi * d_theta_ddot_by_psi_dot - by_psi_dot_29;
-    a[3][4] = -l_theta_psi * d_theta_ddot_by_eps_dot - by_eps_dot_20;
+    a[3][1] = d_psi_ddot_by_eps; /* psi'' */
+    a[3][2] = d_psi_ddot_by_theta;
+    a[3][3] = d_psi_ddot_by_psi_dot;
+    a[3][4] = d_psi_ddot_by_eps_dot;
     a[3][5] = -by_theta_dot_8 - l_theta_psi * d_theta_ddot_by_theta_dot;
     a[4][1] = d_eps_ddot_by_eps; /* eps'' */
     a[4][2] = d_eps_ddot_by_theta;
@@ -800,8 +820,8 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
             b[i][j] = 0.0;
         }
     }
-    b[3][0] = by_f_1_2 - l_theta_psi * d_theta_ddot_by_f_1; /* psi'' */
-    b[3][1] = by_f_2_2 - l_theta_psi * d_theta_ddot_by_f_2;
+    b[3][0] = d_psi_ddot_by_f_1; /* psi'' */
+    b[3][1] = d_psi_ddot_by_f_2;
     b[4][0] = d_eps_ddot_by_f_1; /* eps'' */
     b[4][1] = d_eps_ddot_by_f_2;
     b[5][0] = d_theta_ddot_by_f_1; /* theta'' */
@@ -809,7 +829,11 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     return 0;
 }
 
-int googol_parameter_jacobian(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, double by_p[6][14])
+int googol_parameter_jacobian(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double by_p[6][14])
 {
     const struct googol_coordinates *q = &x->q;
     const struct googol_rates *v = &x->v;
@@ -832,7 +856,6 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double omega_arm_z_omega_arm_x = omega_arm_z * omega_arm_x;
     const double I_arm_yy_eps_dot = I_arm_yy * v->eps;
     const double I_arm_yy_omega_arm_z = I_arm_yy * omega_arm_z;
-    const double arm_2 = omega_arm_x * I_arm_yy_eps_dot - I_arm_yy * alpha_arm_z;
     const double a_arm_z = p->g * c_eps;
     /* body fuselage on heli */
     const double mc_heli_z = -p->m_h * p->l_cd;
@@ -853,9 +876,9 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double I_heli_xx_omega_heli_x = I_heli_xx * omega_heli_x;
     const double I_heli_yy_omega_heli_y = I_heli_yy * omega_heli_y;
     const double I_z_omega_heli_z = p->I_z * omega_heli_z;
-    const double heli_4 = omega_heli_y * I_z_omega_heli_z - omega_heli_z * I_heli_yy_omega_heli_y;
+    const double heli_4 = I_heli_xx * alpha_arm_x - omega_heli_z * I_heli_yy_omega_heli_y + omega_heli_y * I_z_omega_heli_z;
     const double heli_5 = heli_2 + omega_heli_z * I_heli_xx_omega_heli_x - omega_heli_x * I_z_omega_heli_z;
-    const double n_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x - heli_3;
+    const double n_moving_heli_z = omega_heli_x * I_heli_yy_omega_heli_y - omega_heli_y * I_heli_xx_omega_heli_x - heli_3;
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
     const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
@@ -869,44 +892,43 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y_omega_heli_z);
-    const double n_heli_x = I_heli_xx * alpha_arm_x + heli_4 - mc_heli_z * a_heli_y;
+    const double n_heli_x = heli_4 - mc_heli_z * a_heli_y;
     const double n_heli_y = heli_5 + mc_heli_z * a_heli_1_x;
-    const double n_heli_1_y = n_heli_z * s_theta + n_heli_y * c_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
-    const double f_heli_z = p->m_h * a_heli_z - mc_heli_z_heli_1 - f_s;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
+    const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
+    const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_net_heli_z = p->m_h * a_heli_z - mc_heli_z_heli_1 - f_s;
+    const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
+    const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
-    const double arm_3 = c_eps * (I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta);
-    const double arm_4 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_6 + l_oc_m_h_l_oc);
-    const double arm_5 = c_eps * (arm_4 - l_oc_mc_heli_z_c_theta * s_eps);
-    const double M_psi_psi = arm_5 - M_psi_theta * s_eps;
-    const double n_arm_z = n_heli_1_z + p->l_oc * f_heli_1_y - arm_2;
-    const double arm_6 = omega_arm_x * I_arm_yy_omega_arm_z + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_heli_1_z;
+    const double arm_2 = I_heli_yy_c_theta * s_theta - I_z_s_theta * c_theta;
+    const double M_psi_eps = arm_2 * c_eps - M_eps_theta * s_eps;
+    const double arm_3 = c_eps * (I_arm_yy + p->I_z + I_heli_yy - heli_6 + l_oc_m_h_l_oc);
+    const double arm_4 = c_eps * (arm_3 - l_oc_mc_heli_z_c_theta * s_eps);
+    const double M_psi_psi = arm_4 - M_psi_theta * s_eps;
+    const double n_net_arm_z = n_heli_1_z + p->l_oc * f_net_heli_1_y + I_arm_yy * alpha_arm_z - omega_arm_x * I_arm_yy_eps_dot;
+    const double arm_5 = omega_arm_x * I_arm_yy_omega_arm_z + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_net_heli_1_z;
     /* force rotor_2 on heli */
-    const double n_heli_x_2 = p->l_df * u->f_2 - p->l_df * u->f_1;
-    /* gravity */
+    const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     const double c_eps_s_theta = c_eps * s_theta;
     /* frame arm on column */
-    const double n_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + n_heli_x - n_heli_x_2;
-    const double n_column_z = n_arm_z * c_eps + n_arm_x * s_eps;
+    const double n_net_arm_x = omega_arm_z * I_arm_yy_eps_dot - I_arm_yy_omega_arm_z * v->eps + n_heli_x - n_applied_heli_x;
+    const double n_net_column_z = n_net_arm_z * c_eps + n_net_arm_x * s_eps;
     /* balance of forces */
-    const double tau_psi = -p->c0_psi * v->psi - n_column_z;
-    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_heli_x_2;
+    const double tau_psi = -p->c0_psi * v->psi - n_net_column_z;
+    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_applied_heli_x;
     /* M = L D L^T and back-substitution */
     const double inv_psi = 1.0 / M_psi_psi;
-    const double l_eps_psi = inv_psi * (arm_3 - M_eps_theta * s_eps);
+    const double l_eps_psi = M_psi_eps * inv_psi;
     const double l_theta_psi = M_psi_theta * inv_psi;
     const double M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
     const double pivot_eps = I_arm_yy + heli_6 + l_oc_m_h_l_oc - l_eps_psi * M_psi_psi_l_eps_psi;
     const double inv_eps = 1.0 / pivot_eps;
     const double l_theta_eps = inv_eps * (M_eps_theta - l_theta_psi * M_psi_psi_l_eps_psi);
-    const double solve_1 = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi;
-    const double pivot_theta = solve_1 - l_theta_eps * pivot_eps * l_theta_eps;
+    const double pivot_theta = I_heli_xx - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     const double inv_theta = 1.0 / pivot_theta;
-    const double solve_2 = tau_psi * l_eps_psi + p->c0_eps * v->eps + arm_6;
-    const double theta_ddot = -inv_theta * (tau_psi * l_theta_psi - tau_theta - l_theta_eps * solve_2);
-    const double eps_ddot = -inv_eps * solve_2 - l_theta_eps * theta_ddot;
+    const double solve_1 = tau_psi * l_eps_psi + p->c0_eps * v->eps + arm_5;
+    const double theta_ddot = -inv_theta * (tau_psi * l_theta_psi - tau_theta - l_theta_eps * solve_1);
+    const double eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
     const double psi_ddot = tau_psi * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = alpha_arm_z + psi_ddot * c_eps;
@@ -923,40 +945,40 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double slopes_9 = slopes_6 - omega_heli_y_omega_heli_z;
     const double slopes_10 = mc_heli_z * slopes_9 + m_h_slopes_7;
     const double slopes_11 = p->m_h * slopes_8 - mc_heli_z_heli_1 - f_s;
+    const double slopes_12 = slopes_11 * s_theta - slopes_10 * c_theta;
+    const double slopes_13 = slopes_11 * c_theta + slopes_10 * s_theta;
     const double l_cd_slopes_9_minus_slopes_7 = p->l_cd * slopes_9 - slopes_7;
     const double slopes_8_plus_l_cd_heli_1 = slopes_8 + p->l_cd * heli_1;
-    const double slopes_12 = p->l_oc * (slopes_8_plus_l_cd_heli_1 * c_theta - l_cd_slopes_9_minus_slopes_7 * s_theta);
-    const double slopes_13 = p->l_oc * (l_cd_slopes_9_minus_slopes_7 * c_theta + slopes_8_plus_l_cd_heli_1 * s_theta);
-    const double slopes_14 = slopes_2 * s_theta - alpha_arm_z_plus_slopes_1 * c_theta;
-    const double m_h_slopes_14 = p->m_h * slopes_14;
-    const double slopes_15 = p->m_h * (slopes_2 * c_theta + alpha_arm_z_plus_slopes_1 * s_theta);
-    const double mc_heli_z_slopes_14 = mc_heli_z * slopes_14;
-    const double slopes_16 = p->l_oc * (m_h_slopes_14 * s_theta + slopes_15 * c_theta);
-    const double slopes_17 = slopes_11 * c_theta + slopes_10 * s_theta + slopes_16;
-    const double slopes_18 = p->l_oc * (slopes_15 * s_theta - m_h_slopes_14 * c_theta);
-    const double slopes_19 = slopes_11 * s_theta - slopes_10 * c_theta + slopes_18;
+    const double slopes_14 = p->l_oc * (slopes_8_plus_l_cd_heli_1 * c_theta - l_cd_slopes_9_minus_slopes_7 * s_theta);
+    const double slopes_15 = p->l_oc * (l_cd_slopes_9_minus_slopes_7 * c_theta + slopes_8_plus_l_cd_heli_1 * s_theta);
+    const double slopes_16 = slopes_2 * s_theta - alpha_arm_z_plus_slopes_1 * c_theta;
+    const double m_h_slopes_16 = p->m_h * slopes_16;
+    const double slopes_17 = p->m_h * (slopes_2 * c_theta + alpha_arm_z_plus_slopes_1 * s_theta);
+    const double mc_heli_z_slopes_16 = mc_heli_z * slopes_16;
+    const double slopes_18 = p->l_oc * (m_h_slopes_16 * s_theta + slopes_17 * c_theta);
+    const double slopes_19 = p->l_oc * (slopes_17 * s_theta - m_h_slopes_16 * c_theta);
     const double m_h_slopes_9 = p->m_h * slopes_9;
-    /* derivatives with respect to m_h */
     const double l_cd_sq = p->l_cd * p->l_cd;
     const double omega_heli_x_l_cd_sq = omega_heli_x * l_cd_sq;
     const double omega_heli_y_l_cd_sq = omega_heli_y * l_cd_sq;
+    /* derivatives with respect to m_h */
     const double by_m_h_1 = omega_heli_x * omega_heli_y_l_cd_sq - omega_heli_y * omega_heli_x_l_cd_sq;
-    /* derivatives with respect to m_b */
     const double l_oa_sq = p->l_oa * p->l_oa;
     const double l_oa_sq_eps_dot = l_oa_sq * v->eps;
     const double omega_arm_z_l_oa_sq = omega_arm_z * l_oa_sq;
+    /* derivatives with respect to m_b */
     const double by_m_b_1 = s_eps * (omega_arm_z * l_oa_sq_eps_dot - omega_arm_z_l_oa_sq * v->eps);
-    /* derivatives with respect to m_c */
     const double l_ob_sq = p->l_ob * p->l_ob;
     const double l_ob_sq_eps_dot = l_ob_sq * v->eps;
     const double omega_arm_z_l_ob_sq = omega_arm_z * l_ob_sq;
+    /* derivatives with respect to m_c */
     const double by_m_c_1 = s_eps * (omega_arm_z * l_ob_sq_eps_dot - omega_arm_z_l_ob_sq * v->eps);
     const double by_m_c_2 = p->l_ob * a_arm_z - omega_arm_x * omega_arm_z_l_ob_sq - eps_ddot * l_ob_sq;
-    /* derivatives with respect to g */
     const double mc_heli_z_s_eps = mc_heli_z * s_eps;
     const double m_h_c_eps_s_theta = p->m_h * c_eps_s_theta;
     const double m_h_c_eps_c_theta = p->m_h * c_eps * c_theta;
     const double mc_heli_z_c_eps_s_theta = mc_heli_z * c_eps_s_theta;
+    /* derivatives with respect to g */
     const double by_g_1 = p->l_oc * (m_h_c_eps_s_theta * s_theta + m_h_c_eps_c_theta * c_theta);
     const double by_g_2 = p->l_oc * (m_h_c_eps_c_theta * s_theta - m_h_c_eps_s_theta * c_theta);
     const double by_g_3 = mc_arm_x * c_eps - mc_heli_z_s_eps * c_theta + by_g_1;
@@ -966,34 +988,35 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double by_g_7 = l_theta_psi * by_g_5 + mc_heli_z_c_eps_s_theta + l_theta_eps * by_g_6;
     const double d_theta_ddot_by_g = inv_theta * by_g_7;
     const double d_eps_ddot_by_g = -inv_eps * by_g_6 - l_theta_eps * d_theta_ddot_by_g;
-    const double by_g_8 = inv_psi * by_g_5 + l_eps_psi * d_eps_ddot_by_g;
-    /* derivatives with respect to l_oc */
+    const double d_psi_ddot_by_g = -inv_psi * by_g_5 - l_eps_psi * d_eps_ddot_by_g - l_theta_psi * d_theta_ddot_by_g;
     const double mc_heli_z_arm_1 = mc_heli_z * arm_1;
-    /* derivatives with respect to l_ob */
+    /* derivatives with respect to l_oc */
+    const double by_l_oc_1 = mc_heli_z_arm_1 * c_theta + slopes_13 + slopes_18;
     const double two_m_c_l_ob = 2.0 * m_c_l_ob;
     const double two_m_c_l_ob_eps_dot = two_m_c_l_ob * v->eps;
     const double omega_arm_z_two_m_c_l_ob = omega_arm_z * two_m_c_l_ob;
+    /* derivatives with respect to l_ob */
     const double by_l_ob_1 = s_eps * (omega_arm_z * two_m_c_l_ob_eps_dot - omega_arm_z_two_m_c_l_ob * v->eps);
     const double by_l_ob_2 = p->m_c * a_arm_z - omega_arm_x * omega_arm_z_two_m_c_l_ob - eps_ddot * two_m_c_l_ob;
-    /* derivatives with respect to l_oa */
     const double two_m_b_l_oa = 2.0 * m_b_l_oa;
     const double two_m_b_l_oa_eps_dot = two_m_b_l_oa * v->eps;
     const double omega_arm_z_two_m_b_l_oa = omega_arm_z * two_m_b_l_oa;
+    /* derivatives with respect to l_oa */
     const double by_l_oa_1 = s_eps * (omega_arm_z * two_m_b_l_oa_eps_dot - omega_arm_z_two_m_b_l_oa * v->eps);
-    /* derivatives with respect to l_cd */
     const double two_mc_heli_z = 2.0 * mc_heli_z;
     const double m_h_heli_1 = p->m_h * heli_1;
     const double omega_heli_x_two_mc_heli_z = omega_heli_x * two_mc_heli_z;
     const double omega_heli_y_two_mc_heli_z = omega_heli_y * two_mc_heli_z;
+    /* derivatives with respect to l_cd */
     const double by_l_cd_1 = omega_heli_y * omega_heli_x_two_mc_heli_z - omega_heli_x * omega_heli_y_two_mc_heli_z;
-    /* derivatives with respect to l_df */
     const double f_d_s_eps = f_d * s_eps;
     const double l_eps_psi_f_d_s_eps = l_eps_psi * f_d_s_eps;
+    /* derivatives with respect to l_df */
     const double d_theta_ddot_by_l_df = inv_theta * (f_d + l_theta_psi * f_d_s_eps - l_theta_eps * l_eps_psi_f_d_s_eps);
     const double d_eps_ddot_by_l_df = inv_eps * l_eps_psi_f_d_s_eps - l_theta_eps * d_theta_ddot_by_l_df;
-    const double by_l_df_1 = inv_psi * f_d_s_eps + l_eps_psi * d_eps_ddot_by_l_df;
-    /* derivatives with respect to I_x */
+    const double d_psi_ddot_by_l_df = -l_theta_psi * d_theta_ddot_by_l_df - inv_psi * f_d_s_eps - l_eps_psi * d_eps_ddot_by_l_df;
     const double omega_heli_y_omega_heli_x = omega_heli_y * omega_heli_x;
+    /* derivatives with respect to I_x */
     const double by_I_x_1 = omega_heli_z_omega_heli_x * c_theta;
     const double by_I_x_2 = omega_heli_z_omega_heli_x * s_theta;
     const double by_I_x_3 = c_eps * (-omega_heli_y_omega_heli_x * c_theta - by_I_x_2);
@@ -1001,86 +1024,94 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double slopes_20 = slopes_6 * l_cd_sq - omega_heli_z * omega_heli_y_l_cd_sq;
     const double slopes_21 = slopes_20 - p->l_cd * slopes_7;
     const double slopes_22 = omega_heli_z * omega_heli_x_l_cd_sq - slopes_4 * l_cd_sq - p->l_cd * a_heli_1_x;
-    const double slopes_23 = by_m_h_1 * c_theta - slopes_22 * s_theta + slopes_13;
-    const double slopes_24 = slopes_23 * c_eps + slopes_21 * s_eps;
-    const double slopes_25 = p->l_oa * a_arm_z + omega_arm_x * omega_arm_z_l_oa_sq + eps_ddot * l_oa_sq;
-    const double slopes_26 = c_eps * (omega_arm_x * l_oa_sq_eps_dot - slopes_1 * l_oa_sq);
-    const double slopes_27 = c_eps * (omega_arm_x * l_ob_sq_eps_dot - slopes_1 * l_ob_sq);
-    const double slopes_28 = c_eps * (slopes_19 + mc_heli_z_arm_1 * s_theta);
-    const double slopes_29 = c_eps * (omega_arm_x * two_m_c_l_ob_eps_dot - slopes_1 * two_m_c_l_ob);
-    const double slopes_30 = p->m_b * a_arm_z + omega_arm_x * omega_arm_z_two_m_b_l_oa + eps_ddot * two_m_b_l_oa;
-    const double slopes_31 = c_eps * (omega_arm_x * two_m_b_l_oa_eps_dot - slopes_1 * two_m_b_l_oa);
-    const double slopes_32 = omega_heli_z * omega_heli_y_two_mc_heli_z - slopes_6 * two_mc_heli_z - m_h_slopes_7;
-    const double slopes_33 = slopes_4 * two_mc_heli_z - omega_heli_z * omega_heli_x_two_mc_heli_z - p->m_h * a_heli_1_x;
-    const double slopes_34 = p->l_oc * (m_h_heli_1 * c_theta - m_h_slopes_9 * s_theta);
-    const double slopes_35 = p->l_oc * (m_h_heli_1 * s_theta + m_h_slopes_9 * c_theta);
-    const double slopes_36 = by_l_cd_1 * c_theta - slopes_33 * s_theta + slopes_35;
-    const double slopes_37 = slopes_36 * c_eps + slopes_32 * s_eps;
+    const double slopes_23 = by_m_h_1 * s_theta + slopes_22 * c_theta;
+    const double slopes_24 = by_m_h_1 * c_theta - slopes_22 * s_theta;
+    const double slopes_25 = c_eps * (slopes_24 + slopes_15);
+    const double slopes_26 = slopes_25 + slopes_21 * s_eps;
+    const double slopes_27 = p->l_oa * a_arm_z + omega_arm_x * omega_arm_z_l_oa_sq + eps_ddot * l_oa_sq;
+    const double slopes_28 = c_eps * (omega_arm_x * l_oa_sq_eps_dot - slopes_1 * l_oa_sq);
+    const double slopes_29 = c_eps * (omega_arm_x * l_ob_sq_eps_dot - slopes_1 * l_ob_sq);
+    const double slopes_30 = slopes_12 + slopes_19 + mc_heli_z_arm_1 * s_theta;
+    const double slopes_31 = c_eps * (omega_arm_x * two_m_c_l_ob_eps_dot - slopes_1 * two_m_c_l_ob);
+    const double slopes_32 = p->m_b * a_arm_z + omega_arm_x * omega_arm_z_two_m_b_l_oa + eps_ddot * two_m_b_l_oa;
+    const double slopes_33 = c_eps * (omega_arm_x * two_m_b_l_oa_eps_dot - slopes_1 * two_m_b_l_oa);
+    const double slopes_34 = omega_heli_z * omega_heli_y_two_mc_heli_z - slopes_6 * two_mc_heli_z - m_h_slopes_7;
+    const double slopes_35 = slopes_4 * two_mc_heli_z - omega_heli_z * omega_heli_x_two_mc_heli_z - p->m_h * a_heli_1_x;
+    const double slopes_36 = by_l_cd_1 * s_theta + slopes_35 * c_theta;
+    const double slopes_37 = by_l_cd_1 * c_theta - slopes_35 * s_theta;
+    const double slopes_38 = p->l_oc * (m_h_heli_1 * c_theta - m_h_slopes_9 * s_theta);
+    const double slopes_39 = p->l_oc * (m_h_heli_1 * s_theta + m_h_slopes_9 * c_theta);
+    const double slopes_40 = c_eps * (slopes_37 + slopes_39);
+    const double slopes_41 = slopes_40 + slopes_34 * s_eps;
     const double by_I_x_3_plus_slopes_6_s_eps = by_I_x_3 + slopes_6 * s_eps;
-    const double slopes_38 = c_eps * (by_I_x_2 - slopes_5 * c_theta);
+    const double slopes_42 = c_eps * (by_I_x_2 - slopes_5 * c_theta);
     /* derivatives with respect to m_h */
-    const double by_m_h_2 = by_m_h_1 * s_theta + slopes_22 * c_theta - slopes_12;
-    const double by_m_h_3 = by_m_h_2 + l_eps_psi * slopes_24;
-    const double by_m_h_4 = slopes_21 + l_theta_psi * slopes_24 - l_theta_eps * by_m_h_3;
-    const double d_theta_ddot_by_m_h = inv_theta * by_m_h_4;
-    const double d_eps_ddot_by_m_h = inv_eps * by_m_h_3 - l_theta_eps * d_theta_ddot_by_m_h;
-    const double by_m_h_5 = inv_psi * slopes_24 + l_eps_psi * d_eps_ddot_by_m_h;
+    const double by_m_h_2 = slopes_23 - slopes_14 + l_eps_psi * slopes_26;
+    const double by_m_h_3 = slopes_21 + l_theta_psi * slopes_26 - l_theta_eps * by_m_h_2;
+    const double d_theta_ddot_by_m_h = inv_theta * by_m_h_3;
+    const double d_eps_ddot_by_m_h = inv_eps * by_m_h_2 - l_theta_eps * d_theta_ddot_by_m_h;
+    const double d_psi_ddot_by_m_h = -l_theta_psi * d_theta_ddot_by_m_h - inv_psi * slopes_26 - l_eps_psi * d_eps_ddot_by_m_h;
+    const double slopes_28_minus_by_m_b_1 = slopes_28 - by_m_b_1;
     /* derivatives with respect to m_b */
-    const double slopes_26_minus_by_m_b_1 = slopes_26 - by_m_b_1;
-    const double by_m_b_2 = slopes_25 + l_eps_psi * slopes_26_minus_by_m_b_1;
-    const double d_theta_ddot_by_m_b = inv_theta * (l_theta_eps * by_m_b_2 - l_theta_psi * slopes_26_minus_by_m_b_1);
+    const double by_m_b_2 = slopes_27 + l_eps_psi * slopes_28_minus_by_m_b_1;
+    const double d_theta_ddot_by_m_b = inv_theta * (l_theta_eps * by_m_b_2 - l_theta_psi * slopes_28_minus_by_m_b_1);
     const double d_eps_ddot_by_m_b = -inv_eps * by_m_b_2 - l_theta_eps * d_theta_ddot_by_m_b;
-    const double by_m_b_3 = inv_psi * slopes_26_minus_by_m_b_1 - l_eps_psi * d_eps_ddot_by_m_b;
+    const double d_psi_ddot_by_m_b = inv_psi * slopes_28_minus_by_m_b_1 - l_eps_psi * d_eps_ddot_by_m_b - l_theta_psi * d_theta_ddot_by_m_b;
+    const double slopes_29_minus_by_m_c_1 = slopes_29 - by_m_c_1;
     /* derivatives with respect to m_c */
-    const double slopes_27_minus_by_m_c_1 = slopes_27 - by_m_c_1;
-    const double by_m_c_3 = by_m_c_2 - l_eps_psi * slopes_27_minus_by_m_c_1;
-    const double d_theta_ddot_by_m_c = inv_theta * (-l_theta_psi * slopes_27_minus_by_m_c_1 - l_theta_eps * by_m_c_3);
+    const double by_m_c_3 = by_m_c_2 - l_eps_psi * slopes_29_minus_by_m_c_1;
+    const double d_theta_ddot_by_m_c = inv_theta * (-l_theta_psi * slopes_29_minus_by_m_c_1 - l_theta_eps * by_m_c_3);
     const double d_eps_ddot_by_m_c = inv_eps * by_m_c_3 - l_theta_eps * d_theta_ddot_by_m_c;
-    const double by_m_c_4 = inv_psi * slopes_27_minus_by_m_c_1 - l_eps_psi * d_eps_ddot_by_m_c;
+    const double d_psi_ddot_by_m_c = inv_psi * slopes_29_minus_by_m_c_1 - l_eps_psi * d_eps_ddot_by_m_c - l_theta_psi * d_theta_ddot_by_m_c;
     /* derivatives with respect to l_oc */
-    const double by_l_oc_1 = mc_heli_z_slopes_14 * s_eps + slopes_28;
-    const double by_l_oc_2 = l_eps_psi * by_l_oc_1 - mc_heli_z_arm_1 * c_theta - slopes_17;
-    const double by_l_oc_3 = l_theta_psi * by_l_oc_1 + mc_heli_z_slopes_14 - l_theta_eps * by_l_oc_2;
-    const double d_theta_ddot_by_l_oc = inv_theta * by_l_oc_3;
-    const double d_eps_ddot_by_l_oc = inv_eps * by_l_oc_2 - l_theta_eps * d_theta_ddot_by_l_oc;
-    const double by_l_oc_4 = inv_psi * by_l_oc_1 + l_eps_psi * d_eps_ddot_by_l_oc;
+    const double by_l_oc_2 = mc_heli_z_slopes_16 * s_eps + slopes_30 * c_eps;
+    const double by_l_oc_3 = l_eps_psi * by_l_oc_2 - by_l_oc_1;
+    const double by_l_oc_4 = l_theta_psi * by_l_oc_2 + mc_heli_z_slopes_16 - l_theta_eps * by_l_oc_3;
+    const double d_theta_ddot_by_l_oc = inv_theta * by_l_oc_4;
+    const double d_eps_ddot_by_l_oc = inv_eps * by_l_oc_3 - l_theta_eps * d_theta_ddot_by_l_oc;
+    const double d_psi_ddot_by_l_oc = -inv_psi * by_l_oc_2 - l_eps_psi * d_eps_ddot_by_l_oc - l_theta_psi * d_theta_ddot_by_l_oc;
+    const double slopes_31_minus_by_l_ob_1 = slopes_31 - by_l_ob_1;
     /* derivatives with respect to l_ob */
-    const double slopes_29_minus_by_l_ob_1 = slopes_29 - by_l_ob_1;
-    const double by_l_ob_3 = by_l_ob_2 - l_eps_psi * slopes_29_minus_by_l_ob_1;
-    const double d_theta_ddot_by_l_ob = inv_theta * (-l_theta_psi * slopes_29_minus_by_l_ob_1 - l_theta_eps * by_l_ob_3);
+    const double by_l_ob_3 = by_l_ob_2 - l_eps_psi * slopes_31_minus_by_l_ob_1;
+    const double d_theta_ddot_by_l_ob = inv_theta * (-l_theta_psi * slopes_31_minus_by_l_ob_1 - l_theta_eps * by_l_ob_3);
     const double d_eps_ddot_by_l_ob = inv_eps * by_l_ob_3 - l_theta_eps * d_theta_ddot_by_l_ob;
-    const double by_l_ob_4 = inv_psi * slopes_29_minus_by_l_ob_1 - l_eps_psi * d_eps_ddot_by_l_ob;
+    const double d_psi_ddot_by_l_ob = inv_psi * slopes_31_minus_by_l_ob_1
+        - l_eps_psi * d_eps_ddot_by_l_ob
+        - l_theta_psi * d_theta_ddot_by_l_ob;
+    const double slopes_33_minus_by_l_oa_1 = slopes_33 - by_l_oa_1;
     /* derivatives with respect to l_oa */
-    const double slopes_31_minus_by_l_oa_1 = slopes_31 - by_l_oa_1;
-    const double by_l_oa_2 = slopes_30 + l_eps_psi * slopes_31_minus_by_l_oa_1;
-    const double d_theta_ddot_by_l_oa = inv_theta * (l_theta_eps * by_l_oa_2 - l_theta_psi * slopes_31_minus_by_l_oa_1);
+    const double by_l_oa_2 = slopes_32 + l_eps_psi * slopes_33_minus_by_l_oa_1;
+    const double d_theta_ddot_by_l_oa = inv_theta * (l_theta_eps * by_l_oa_2 - l_theta_psi * slopes_33_minus_by_l_oa_1);
     const double d_eps_ddot_by_l_oa = -inv_eps * by_l_oa_2 - l_theta_eps * d_theta_ddot_by_l_oa;
-    const double by_l_oa_3 = inv_psi * slopes_31_minus_by_l_oa_1 - l_eps_psi * d_eps_ddot_by_l_oa;
+    const double d_psi_ddot_by_l_oa = inv_psi * slopes_33_minus_by_l_oa_1
+        - l_eps_psi * d_eps_ddot_by_l_oa
+        - l_theta_psi * d_theta_ddot_by_l_oa;
     /* derivatives with respect to l_cd */
-    const double by_l_cd_2 = by_l_cd_1 * s_theta + slopes_33 * c_theta - slopes_34;
-    const double by_l_cd_3 = by_l_cd_2 + l_eps_psi * slopes_37;
-    const double by_l_cd_4 = slopes_32 + l_theta_psi * slopes_37 - l_theta_eps * by_l_cd_3;
-    const double d_theta_ddot_by_l_cd = inv_theta * by_l_cd_4;
-    const double d_eps_ddot_by_l_cd = inv_eps * by_l_cd_3 - l_theta_eps * d_theta_ddot_by_l_cd;
-    const double by_l_cd_5 = inv_psi * slopes_37 + l_eps_psi * d_eps_ddot_by_l_cd;
+    const double by_l_cd_2 = slopes_36 - slopes_38 + l_eps_psi * slopes_41;
+    const double by_l_cd_3 = slopes_34 + l_theta_psi * slopes_41 - l_theta_eps * by_l_cd_2;
+    const double d_theta_ddot_by_l_cd = inv_theta * by_l_cd_3;
+    const double d_eps_ddot_by_l_cd = inv_eps * by_l_cd_2 - l_theta_eps * d_theta_ddot_by_l_cd;
+    const double d_psi_ddot_by_l_cd = -l_theta_psi * d_theta_ddot_by_l_cd - inv_psi * slopes_41 - l_eps_psi * d_eps_ddot_by_l_cd;
     /* derivatives with respect to I_x */
     const double by_I_x_4 = by_I_x_1 - omega_heli_y_omega_heli_x * s_theta + l_eps_psi * by_I_x_3_plus_slopes_6_s_eps;
     const double by_I_x_5 = slopes_6 + l_theta_psi * by_I_x_3_plus_slopes_6_s_eps - l_theta_eps * by_I_x_4;
     const double d_theta_ddot_by_I_x = inv_theta * by_I_x_5;
     const double d_eps_ddot_by_I_x = inv_eps * by_I_x_4 - l_theta_eps * d_theta_ddot_by_I_x;
-    const double by_I_x_6 = inv_psi * by_I_x_3_plus_slopes_6_s_eps + l_eps_psi * d_eps_ddot_by_I_x;
+    const double d_psi_ddot_by_I_x = -l_theta_psi * d_theta_ddot_by_I_x
+        - inv_psi * by_I_x_3_plus_slopes_6_s_eps
+        - l_eps_psi * d_eps_ddot_by_I_x;
     /* derivatives with respect to I_z */
-    const double by_I_z_1 = omega_heli_y_omega_heli_z * s_eps + slopes_38;
+    const double by_I_z_1 = omega_heli_y_omega_heli_z * s_eps + slopes_42;
     const double by_I_z_2 = by_I_x_1 + slopes_5 * s_theta - l_eps_psi * by_I_z_1;
     const double by_I_z_3 = l_theta_psi * by_I_z_1 + omega_heli_y_omega_heli_z + l_theta_eps * by_I_z_2;
     const double d_theta_ddot_by_I_z = inv_theta * by_I_z_3;
     const double d_eps_ddot_by_I_z = -inv_eps * by_I_z_2 - l_theta_eps * d_theta_ddot_by_I_z;
-    const double by_I_z_4 = inv_psi * by_I_z_1 + l_eps_psi * d_eps_ddot_by_I_z;
-    /* derivatives with respect to c0_psi */
+    const double d_psi_ddot_by_I_z = -inv_psi * by_I_z_1 - l_eps_psi * d_eps_ddot_by_I_z - l_theta_psi * d_theta_ddot_by_I_z;
     const double l_eps_psi_psi_dot = l_eps_psi * v->psi;
+    /* derivatives with respect to c0_psi */
     const double d_theta_ddot_by_c0_psi = -inv_theta * (l_theta_eps * l_eps_psi_psi_dot - l_theta_psi * v->psi);
     const double d_eps_ddot_by_c0_psi = inv_eps * l_eps_psi_psi_dot - l_theta_eps * d_theta_ddot_by_c0_psi;
-    const double by_c0_psi_1 = inv_psi * v->psi + l_eps_psi * d_eps_ddot_by_c0_psi;
+    const double d_psi_ddot_by_c0_psi = -inv_psi * v->psi - l_eps_psi * d_eps_ddot_by_c0_psi - l_theta_psi * d_theta_ddot_by_c0_psi;
     /* derivatives with respect to c0_eps */
     const double d_theta_ddot_by_c0_eps = inv_theta * l_theta_eps * v->eps;
     const double d_eps_ddot_by_c0_eps = -inv_eps * v->eps - l_theta_eps * d_theta_ddot_by_c0_eps;
@@ -1103,18 +1134,18 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
             by_p[i][j] = 0.0;
         }
     }
-    by_p[3][0] = -l_theta_psi * d_theta_ddot_by_m_h - by_m_h_5; /* psi'' */
-    by_p[3][1] = by_m_b_3 - l_theta_psi * d_theta_ddot_by_m_b;
-    by_p[3][2] = by_m_c_4 - l_theta_psi * d_theta_ddot_by_m_c;
-    by_p[3][3] = -by_g_8 - l_theta_psi * d_theta_ddot_by_g;
-    by_p[3][4] = -by_l_oc_4 - l_theta_psi * d_theta_ddot_by_l_oc;
-    by_p[3][5] = by_l_ob_4 - l_theta_psi * d_theta_ddot_by_l_ob;
-    by_p[3][6] = by_l_oa_3 - l_theta_psi * d_theta_ddot_by_l_oa;
-    by_p[3][7] = -l_theta_psi * d_theta_ddot_by_l_cd - by_l_cd_5;
-    by_p[3][8] = -l_theta_psi * d_theta_ddot_by_l_df - by_l_df_1;
-    by_p[3][9] = -l_theta_psi * d_theta_ddot_by_I_x - by_I_x_6;
-    by_p[3][10] = -by_I_z_4 - l_theta_psi * d_theta_ddot_by_I_z;
-    by_p[3][11] = -by_c0_psi_1 - l_theta_psi * d_theta_ddot_by_c0_psi;
+    by_p[3][0] = d_psi_ddot_by_m_h; /* psi'' */
+    by_p[3][1] = d_psi_ddot_by_m_b;
+    by_p[3][2] = d_psi_ddot_by_m_c;
+    by_p[3][3] = d_psi_ddot_by_g;
+    by_p[3][4] = d_psi_ddot_by_l_oc;
+    by_p[3][5] = d_psi_ddot_by_l_ob;
+    by_p[3][6] = d_psi_ddot_by_l_oa;
+    by_p[3][7] = d_psi_ddot_by_l_cd;
+    by_p[3][8] = d_psi_ddot_by_l_df;
+    by_p[3][9] = d_psi_ddot_by_I_x;
+    by_p[3][10] = d_psi_ddot_by_I_z;
+    by_p[3][11] = d_psi_ddot_by_c0_psi;
     by_p[3][12] = d_psi_ddot_by_c0_eps;
     by_p[3][13] = d_psi_ddot_by_c0_theta;
     by_p[4][0] = d_eps_ddot_by_m_h; /* eps'' */

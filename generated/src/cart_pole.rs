@@ -246,15 +246,14 @@ pub fn bias(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2] {
 pub fn velocity_products(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2] {
     let s_theta = sin(q.theta);
     // frame pole on rail
-    let f_pole_z = -p.m_p * p.l * v.theta * v.theta;
-    [f_pole_z * s_theta, 0.0]
+    let f_moving_pole_z = -p.m_p * p.l * v.theta * v.theta;
+    [f_moving_pole_z * s_theta, 0.0]
 }
 
 /// Generalized gravity g(q) [N, N m]: what holds the rig still; rows (x, theta).
 #[must_use]
 pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 2] {
     let s_theta = sin(q.theta);
-    // gravity
     let g_theta = -p.m_p * p.l * p.g * s_theta;
     [0.0, g_theta]
 }
@@ -282,7 +281,6 @@ pub fn input_map(_q: &Coordinates, _p: &Parameters) -> [[f64; 1]; 2] {
 pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     let (s_theta, c_theta) = sin_cos(q.theta);
     let J = p.m_p * p.l * p.l / 3.0;
-    // frame pole on rail
     let s_theta_x_dot = s_theta * v.x;
     // body rod on pole
     let rod_1 = c_theta * v.x + p.l * v.theta;
@@ -309,12 +307,12 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     // frame pole on rail
     let a_pole_z = p.g * c_theta + s_theta * a.x;
     let a_pole_x = c_theta * a.x - p.g * s_theta;
-    let f_pole_x = p.m_p * a_pole_x + mc_pole_z * a.theta;
-    let f_pole_z = p.m_p * a_pole_z - mc_pole_z * v.theta * v.theta;
-    let n_pole_y = a.theta * (J + p.l * mc_pole_z) + mc_pole_z * a_pole_x;
+    let f_net_pole_x = p.m_p * a_pole_x + mc_pole_z * a.theta;
+    let f_net_pole_z = p.m_p * a_pole_z - mc_pole_z * v.theta * v.theta;
+    let n_net_pole_y = a.theta * (J + p.l * mc_pole_z) + mc_pole_z * a_pole_x;
     // frame rail on ground
-    let f_rail_x = p.m_c * a.x + f_pole_z * s_theta + f_pole_x * c_theta;
-    [f_rail_x - u.F, n_pole_y]
+    let f_net_rail_x = p.m_c * a.x + f_net_pole_z * s_theta + f_net_pole_x * c_theta;
+    [f_net_rail_x - u.F, n_net_pole_y]
 }
 
 /// Measured outputs y(x), with scale and bias, without delay and quantization.
@@ -386,10 +384,10 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // body rod on pole
     let mc_pole_z = p.m_p * p.l;
     // frame pole on rail
-    let f_pole_z = -mc_pole_z * v.theta * v.theta;
+    let f_moving_pole_z = -mc_pole_z * v.theta * v.theta;
     let a_pole_z = p.g * c_theta;
     let a_pole_x = -p.g * s_theta;
-    let f_rail_x = s_theta * (p.m_p * a_pole_z + f_pole_z) + p.m_p * a_pole_x * c_theta;
+    let f_rail_x = s_theta * (p.m_p * a_pole_z + f_moving_pole_z) + p.m_p * a_pole_x * c_theta;
     // frame rail on ground
     let M_x_x = p.m_c + p.m_p;
     // balance of forces
@@ -405,14 +403,15 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let by_theta_dot_1 = 2.0 * mc_pole_z * s_theta * v.theta;
     let d_theta_ddot_by_theta_dot = -inv_theta * l_theta_x * by_theta_dot_1;
     let d_x_ddot_by_theta_dot = inv_x * by_theta_dot_1 - l_theta_x * d_theta_ddot_by_theta_dot;
-    // slopes of the balance of forces, at the accelerations found
     let a_pole_z_plus_x_ddot_s_theta = a_pole_z + x_ddot * s_theta;
+    // slopes of the balance of forces, at the accelerations found
     let slopes_1 = p.m_p * (x_ddot * c_theta + a_pole_x);
     let slopes_2 = p.m_p * a_pole_z_plus_x_ddot_s_theta;
-    let slopes_3 = s_theta * (slopes_1 + mc_pole_z * theta_ddot);
-    let slopes_4 = c_theta * (slopes_2 + f_pole_z) + slopes_1 * s_theta;
+    let slopes_3 = c_theta * (slopes_2 + f_moving_pole_z);
+    let slopes_4 = s_theta * (slopes_1 + mc_pole_z * theta_ddot);
+    let slopes_5 = slopes_3 + slopes_1 * s_theta;
     // derivatives with respect to theta
-    let by_theta_1 = slopes_3 + slopes_2 * c_theta - slopes_4;
+    let by_theta_1 = slopes_4 + slopes_2 * c_theta - slopes_5;
     let d_theta_ddot_by_theta = inv_theta * (mc_pole_z * a_pole_z_plus_x_ddot_s_theta - l_theta_x * by_theta_1);
     let d_x_ddot_by_theta = inv_x * by_theta_1 - l_theta_x * d_theta_ddot_by_theta;
     // derivatives with respect to F
@@ -442,8 +441,8 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     // body rod on pole
     let mc_pole_z = p.m_p * p.l;
     let I_pole_xx = p.m_p * l_sq / 3.0 + p.l * mc_pole_z;
-    // frame pole on rail
     let theta_dot_sq = v.theta * v.theta;
+    // frame pole on rail
     let a_pole_z = p.g * c_theta;
     let a_pole_x = -p.g * s_theta;
     let f_pole_z = p.m_p * a_pole_z - mc_pole_z * theta_dot_sq;
@@ -461,8 +460,8 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let theta_ddot = inv_theta * (-mc_pole_z * a_pole_x - tau_x * l_theta_x);
     let l_theta_x_theta_ddot = l_theta_x * theta_ddot;
     let x_ddot = tau_x_inv_x - l_theta_x_theta_ddot;
-    // slopes of the balance of forces, at the accelerations found
     let x_ddot_c_theta_plus_a_pole_x = x_ddot * c_theta + a_pole_x;
+    // slopes of the balance of forces, at the accelerations found
     let slopes_1 = theta_ddot * (l_sq + l_sq / 3.0) + p.l * x_ddot_c_theta_plus_a_pole_x;
     let slopes_2 = s_theta * (a_pole_z + x_ddot * s_theta - p.l * theta_dot_sq);
     let slopes_3 = slopes_2 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p.l * theta_ddot);

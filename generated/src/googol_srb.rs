@@ -280,10 +280,11 @@ pub fn mass_matrix(q: &Coordinates, p: &Parameters) -> [[f64; 3]; 3] {
     let I_psi_s_theta = p.I_psi * s_theta;
     let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     // frame arm on column
-    let M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    let arm_1 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
+    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    let M_psi_eps = arm_1 * c_eps;
+    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
     [
-        [arm_1 - M_psi_theta * s_eps, M_psi_eps, M_psi_theta], // psi
+        [arm_2 - M_psi_theta * s_eps, M_psi_eps, M_psi_theta], // psi
         [M_psi_eps, M_eps_eps, 0.0], // eps
         [M_psi_theta, 0.0, p.I_theta], // theta
     ]
@@ -296,8 +297,8 @@ pub fn bias(q: &Coordinates, _v: &Rates, p: &Parameters) -> [f64; 3] {
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let m = p.m_c + p.m_h + p.m_b;
     // gravity
-    let h_eps = p.g * m * m_prime * c_eps / m;
-    [0.0, h_eps, 0.0]
+    let g_eps = p.g * m * m_prime * c_eps / m;
+    [0.0, g_eps, 0.0]
 }
 
 /// Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta).
@@ -312,9 +313,8 @@ pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 3] {
     let c_eps = cos(q.eps);
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let m = p.m_c + p.m_h + p.m_b;
-    // gravity
-    let h_eps = p.g * m * m_prime * c_eps / m;
-    [0.0, h_eps, 0.0]
+    let g_eps = p.g * m * m_prime * c_eps / m;
+    [0.0, g_eps, 0.0]
 }
 
 /// Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta).
@@ -328,15 +328,14 @@ pub fn dissipation(_q: &Coordinates, _v: &Rates, _p: &Parameters) -> [f64; 3] {
 pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
-    // force rotor_1 on heli
     let l_df_f_1 = p.l_df * u.f_1;
-    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
-    let n_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
+    // force rotor_2 on heli
+    let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
     let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
-    let n_column_z = arm_1 - n_heli_y * c_eps * s_theta;
-    [n_column_z, -n_heli_y * c_theta, l_df_f_1 - l_df_f_2]
+    let n_applied_column_z = arm_1 - n_applied_heli_y * c_eps * s_theta;
+    [n_applied_column_z, -n_applied_heli_y * c_theta, l_df_f_1 - l_df_f_2]
 }
 
 /// Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2).
@@ -344,7 +343,6 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
 pub fn input_map(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
-    // input map
     let l_oc_c_theta = p.l_oc * c_theta;
     let l_oc_c_eps_s_theta = p.l_oc * c_eps * s_theta;
     let l_df_s_eps = p.l_df * s_eps;
@@ -362,7 +360,6 @@ pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     let (s_theta, c_theta) = sin_cos(q.theta);
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let m = p.m_c + p.m_h + p.m_b;
-    // body aircraft on heli
     let m_prime_per_m = m_prime / m;
     let m_prime_m_prime_per_m = m_prime * m_prime_per_m;
     // frame arm on column
@@ -371,16 +368,14 @@ pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     let omega_heli_y = -c_theta * v.eps - omega_arm_z * s_theta;
     let omega_heli_z = omega_arm_z * c_theta - s_theta * v.eps;
     let omega_heli_x = s_eps * v.psi - v.theta;
-    // body aircraft on heli
     let m_prime_per_m_omega_heli_z = m_prime_per_m * omega_heli_z;
     let m_prime_per_m_omega_heli_y = m_prime_per_m * omega_heli_y;
-    let aircraft_1 =
-        m
-            * (m_prime_per_m_omega_heli_z * m_prime_per_m_omega_heli_z + m_prime_per_m_omega_heli_y * m_prime_per_m_omega_heli_y);
-    let aircraft_2 = omega_heli_y * omega_heli_y * (p.I_eps - m_prime_m_prime_per_m);
-    let aircraft_3 = omega_heli_z * omega_heli_z * (p.I_psi - m_prime_m_prime_per_m);
-    let aircraft_4 = aircraft_3 + p.I_theta * omega_heli_x * omega_heli_x + aircraft_2;
-    0.5 * (aircraft_1 + aircraft_4)
+    // body aircraft on heli
+    let aircraft_1 = m
+        * (m_prime_per_m_omega_heli_z * m_prime_per_m_omega_heli_z + m_prime_per_m_omega_heli_y * m_prime_per_m_omega_heli_y);
+    let aircraft_2 = p.I_theta * omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y * (p.I_eps - m_prime_m_prime_per_m);
+    let aircraft_3 = omega_heli_z * omega_heli_z * (p.I_psi - m_prime_m_prime_per_m) + aircraft_2;
+    0.5 * (aircraft_1 + aircraft_3)
 }
 
 /// Potential energy V(q) [J]: gravity and springs.
@@ -407,23 +402,23 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let I_psi_s_theta = p.I_psi * s_theta;
     let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     // frame arm on column
-    let M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    let arm_1 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
-    // force rotor_1 on heli
+    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    let M_psi_eps = arm_1 * c_eps;
+    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
     let l_df_f_1 = p.l_df * u.f_1;
-    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
-    let n_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
+    // force rotor_2 on heli
+    let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
-    let arm_2 = s_eps * (l_df_f_2 - l_df_f_1);
-    let n_column_z = arm_2 - n_heli_y * c_eps * s_theta;
+    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     // gravity
-    let h_eps = p.g * m * m_prime * c_eps / m;
+    let g_eps = p.g * m * m_prime * c_eps / m;
     // balance of forces
-    let balance_1 = a.psi * (arm_1 - M_psi_theta * s_eps) + M_psi_eps * a.eps;
+    let balance_1 = a.psi * (arm_2 - M_psi_theta * s_eps) + M_psi_eps * a.eps;
     [
-        balance_1 + M_psi_theta * a.theta - n_column_z, // psi
-        h_eps + M_psi_eps * a.psi + M_eps_eps * a.eps + n_heli_y * c_theta, // eps
+        balance_1 + M_psi_theta * a.theta - n_applied_column_z, // psi
+        g_eps + M_psi_eps * a.psi + M_eps_eps * a.eps + n_applied_heli_y * c_theta, // eps
         p.I_theta * a.theta + M_psi_theta * a.psi - l_df_f_1 + l_df_f_2, // theta
     ]
 }
@@ -452,34 +447,32 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let I_psi_s_theta = p.I_psi * s_theta;
     let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     // frame arm on column
-    let M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    let arm_1 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
-    let M_psi_psi = arm_1 - M_psi_theta * s_eps;
-    // force rotor_1 on heli
+    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
+    let M_psi_psi = arm_2 - M_psi_theta * s_eps;
     let l_df_f_1 = p.l_df * u.f_1;
-    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
-    let n_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
+    // force rotor_2 on heli
+    let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
-    let arm_2 = s_eps * (l_df_f_2 - l_df_f_1);
-    let n_column_z = arm_2 - n_heli_y * c_eps * s_theta;
+    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     // gravity
-    let h_eps = p.g * m * m_prime * c_eps / m;
+    let g_eps = p.g * m * m_prime * c_eps / m;
     // M = L D L^T and back-substitution
     let inv_psi = 1.0 / M_psi_psi;
-    let l_eps_psi = M_psi_eps * inv_psi;
+    let l_eps_psi = arm_1 * inv_psi * c_eps;
     let l_theta_psi = M_psi_theta * inv_psi;
     let M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
     let pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
     let inv_eps = 1.0 / pivot_eps;
     let l_theta_eps = -inv_eps * l_theta_psi * M_psi_psi_l_eps_psi;
-    let solve_1 = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi;
-    let pivot_theta = solve_1 - l_theta_eps * pivot_eps * l_theta_eps;
-    let solve_2 = n_heli_y * c_theta + h_eps + n_column_z * l_eps_psi;
-    let solve_3 = l_df_f_1 - l_df_f_2 - n_column_z * l_theta_psi;
-    let theta_ddot = (solve_3 + l_theta_eps * solve_2) / pivot_theta;
-    let eps_ddot = -inv_eps * solve_2 - l_theta_eps * theta_ddot;
-    let psi_ddot = n_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
+    let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
+    let solve_1 = n_applied_heli_y * c_theta + g_eps + n_applied_column_z * l_eps_psi;
+    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    let theta_ddot = (solve_2 + l_theta_eps * solve_1) / pivot_theta;
+    let eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
+    let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     positive(M_psi_psi, 0)?;
     positive(pivot_eps, 1)?;
     positive(pivot_theta, 2)?;
@@ -519,7 +512,6 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let (s_theta, c_theta) = sin_cos(q.theta);
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let m = p.m_c + p.m_h + p.m_b;
-    // body aircraft on heli
     let m_prime_per_m = m_prime / m;
     // frame heli on arm
     let M_psi_theta = -p.I_theta * s_eps;
@@ -537,20 +529,19 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let arm_1_s_eps = arm_1 * s_eps;
     let heli_1_c_eps = heli_1 * c_eps;
     let M_psi_psi = heli_1_c_eps * c_eps - M_psi_theta * s_eps;
-    // force rotor_1 on heli
     let l_df_f_1 = p.l_df * u.f_1;
-    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
-    let n_heli_x = l_df_f_2 - l_df_f_1;
-    let n_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
+    // force rotor_2 on heli
+    let n_applied_heli_x = l_df_f_2 - l_df_f_1;
+    let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame heli on arm
-    let n_arm_y = n_heli_y * c_theta;
-    let n_arm_z = -n_heli_y * s_theta;
+    let n_applied_arm_y = n_applied_heli_y * c_theta;
+    let n_applied_arm_z = -n_applied_heli_y * s_theta;
     // frame arm on column
-    let n_column_z = n_arm_z * c_eps + n_heli_x * s_eps;
-    let n_column_x = n_heli_x * c_eps - n_arm_z * s_eps;
+    let n_applied_column_z = n_applied_arm_z * c_eps + n_applied_heli_x * s_eps;
+    let n_applied_column_x = n_applied_heli_x * c_eps - n_applied_arm_z * s_eps;
     // gravity
-    let h_eps = p.g * m * m_prime_per_m * c_eps;
+    let g_eps = p.g * m * m_prime_per_m * c_eps;
     // M = L D L^T and back-substitution
     let inv_psi = 1.0 / M_psi_psi;
     let l_eps_psi = arm_1 * inv_psi * c_eps;
@@ -559,58 +550,59 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
     let inv_eps = 1.0 / pivot_eps;
     let l_theta_eps = -inv_eps * l_theta_psi * M_psi_psi_l_eps_psi;
-    let solve_1 = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi;
-    let pivot_theta = solve_1 - l_theta_eps * pivot_eps * l_theta_eps;
+    let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     let inv_theta = 1.0 / pivot_theta;
-    let solve_2 = n_arm_y + h_eps + n_column_z * l_eps_psi;
-    let solve_3 = l_df_f_1 - l_df_f_2 - n_column_z * l_theta_psi;
-    let theta_ddot = inv_theta * (solve_3 + l_theta_eps * solve_2);
-    let eps_ddot = -inv_eps * solve_2 - l_theta_eps * theta_ddot;
-    let psi_ddot = n_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
-    // input map
+    let solve_1 = n_applied_arm_y + g_eps + n_applied_column_z * l_eps_psi;
+    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    let theta_ddot = inv_theta * (solve_2 + l_theta_eps * solve_1);
+    let eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
+    let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     let l_oc_c_theta = p.l_oc * c_theta;
     let l_oc_c_eps_s_theta = p.l_oc * c_eps * s_theta;
     let l_df_s_eps = p.l_df * s_eps;
+    // input map
     let input_map_1 = l_oc_c_eps_s_theta - l_df_s_eps;
     let input_map_2 = l_oc_c_eps_s_theta + l_df_s_eps;
+    let heli_1_c_eps_s_eps = heli_1 * c_eps * s_eps;
     // derivatives with respect to eps
-    let by_eps_1 = heli_1_c_eps * s_eps + heli_1 * c_eps * s_eps;
-    let by_eps_2 = I_theta_c_eps * s_eps - M_psi_theta * c_eps - by_eps_1;
-    // derivatives with respect to theta
+    let by_eps_1 = I_theta_c_eps * s_eps - M_psi_theta * c_eps;
     let I_eps_s_theta = p.I_eps * s_theta;
     let I_psi_c_theta = p.I_psi * c_theta;
+    // derivatives with respect to theta
     let by_theta_1 = I_eps_c_theta_s_theta + I_eps_s_theta * c_theta;
     let by_theta_2 = I_psi_s_theta_c_theta + I_psi_c_theta * s_theta;
     let by_theta_3 = I_psi_c_theta * c_theta - I_psi_s_theta_s_theta;
-    let by_theta_4 = c_eps * (I_eps_c_theta_c_theta - I_eps_s_theta * s_theta - by_theta_3);
+    let by_theta_4 = I_eps_c_theta_c_theta - I_eps_s_theta * s_theta - by_theta_3;
+    let by_theta_4_c_eps = by_theta_4 * c_eps;
     // slopes of the balance of forces, at the accelerations found
-    let slopes_1 = psi_ddot * by_eps_2 - arm_1_s_eps * eps_ddot - I_theta_c_eps * theta_ddot;
-    let slopes_2 = p.g * m * m_prime_per_m * s_eps + arm_1_s_eps * psi_ddot;
-    let slopes_3 = psi_ddot * c_eps * c_eps * (by_theta_1 - by_theta_2);
-    let slopes_4 = n_arm_z + psi_ddot * by_theta_4 + eps_ddot * (by_theta_2 - by_theta_1);
+    let slopes_1 = psi_ddot * (by_eps_1 - heli_1_c_eps * s_eps - heli_1_c_eps_s_eps);
+    let slopes_2 = slopes_1 - arm_1_s_eps * eps_ddot - I_theta_c_eps * theta_ddot;
+    let slopes_3 = p.g * m * m_prime_per_m * s_eps + arm_1_s_eps * psi_ddot;
+    let slopes_4 = psi_ddot * c_eps * c_eps * (by_theta_1 - by_theta_2);
+    let slopes_5 = psi_ddot * by_theta_4_c_eps + eps_ddot * (by_theta_2 - by_theta_1);
     // derivatives with respect to eps
-    let n_column_x_minus_slopes_1 = n_column_x - slopes_1;
-    let by_eps_3 = slopes_2 - l_eps_psi * n_column_x_minus_slopes_1;
-    let by_eps_4 = I_theta_c_eps * psi_ddot - l_theta_psi * n_column_x_minus_slopes_1 - l_theta_eps * by_eps_3;
+    let by_eps_2 = n_applied_column_x - slopes_2;
+    let by_eps_3 = slopes_3 - l_eps_psi * by_eps_2;
+    let by_eps_4 = I_theta_c_eps * psi_ddot - l_theta_psi * by_eps_2 - l_theta_eps * by_eps_3;
     let d_theta_ddot_by_eps = inv_theta * by_eps_4;
     let d_eps_ddot_by_eps = inv_eps * by_eps_3 - l_theta_eps * d_theta_ddot_by_eps;
-    let by_eps_5 = inv_psi * n_column_x_minus_slopes_1 - l_eps_psi * d_eps_ddot_by_eps;
+    let d_psi_ddot_by_eps = inv_psi * by_eps_2 - l_eps_psi * d_eps_ddot_by_eps - l_theta_psi * d_theta_ddot_by_eps;
     // derivatives with respect to theta
-    let by_theta_5 = n_arm_y * c_eps + slopes_3 + eps_ddot * by_theta_4;
-    let by_theta_6 = slopes_4 - l_eps_psi * by_theta_5;
+    let by_theta_5 = n_applied_arm_y * c_eps + slopes_4 + eps_ddot * by_theta_4_c_eps;
+    let by_theta_6 = n_applied_arm_z + slopes_5 - l_eps_psi * by_theta_5;
     let d_theta_ddot_by_theta = inv_theta * (l_theta_psi * by_theta_5 + l_theta_eps * by_theta_6);
     let d_eps_ddot_by_theta = -inv_eps * by_theta_6 - l_theta_eps * d_theta_ddot_by_theta;
-    let by_theta_7 = inv_psi * by_theta_5 + l_eps_psi * d_eps_ddot_by_theta;
+    let d_psi_ddot_by_theta = -inv_psi * by_theta_5 - l_eps_psi * d_eps_ddot_by_theta - l_theta_psi * d_theta_ddot_by_theta;
     // derivatives with respect to f_1
     let by_f_1_1 = l_oc_c_theta - l_eps_psi * input_map_1;
     let d_theta_ddot_by_f_1 = inv_theta * (p.l_df - l_theta_psi * input_map_1 - l_theta_eps * by_f_1_1);
     let d_eps_ddot_by_f_1 = inv_eps * by_f_1_1 - l_theta_eps * d_theta_ddot_by_f_1;
-    let by_f_1_2 = inv_psi * input_map_1 - l_eps_psi * d_eps_ddot_by_f_1;
+    let d_psi_ddot_by_f_1 = inv_psi * input_map_1 - l_eps_psi * d_eps_ddot_by_f_1 - l_theta_psi * d_theta_ddot_by_f_1;
     // derivatives with respect to f_2
     let by_f_2_1 = l_oc_c_theta - l_eps_psi * input_map_2;
     let d_theta_ddot_by_f_2 = inv_theta * (-l_theta_psi * input_map_2 - p.l_df - l_theta_eps * by_f_2_1);
     let d_eps_ddot_by_f_2 = inv_eps * by_f_2_1 - l_theta_eps * d_theta_ddot_by_f_2;
-    let by_f_2_2 = inv_psi * input_map_2 - l_eps_psi * d_eps_ddot_by_f_2;
+    let d_psi_ddot_by_f_2 = inv_psi * input_map_2 - l_eps_psi * d_eps_ddot_by_f_2 - l_theta_psi * d_theta_ddot_by_f_2;
     positive(M_psi_psi, 0)?;
     positive(pivot_eps, 1)?;
     positive(pivot_theta, 2)?;
@@ -620,7 +612,7 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
             [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], // psi'
             [0.0, 0.0, 0.0, 0.0, 1.0, 0.0], // eps'
             [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], // theta'
-            [0.0, by_eps_5 - l_theta_psi * d_theta_ddot_by_eps, -by_theta_7 - l_theta_psi * d_theta_ddot_by_theta, 0.0, 0.0, 0.0], // psi''
+            [0.0, d_psi_ddot_by_eps, d_psi_ddot_by_theta, 0.0, 0.0, 0.0], // psi''
             [0.0, d_eps_ddot_by_eps, d_eps_ddot_by_theta, 0.0, 0.0, 0.0], // eps''
             [0.0, d_theta_ddot_by_eps, d_theta_ddot_by_theta, 0.0, 0.0, 0.0], // theta''
         ],
@@ -628,7 +620,7 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
             [0.0, 0.0], // psi'
             [0.0, 0.0], // eps'
             [0.0, 0.0], // theta'
-            [by_f_1_2 - l_theta_psi * d_theta_ddot_by_f_1, by_f_2_2 - l_theta_psi * d_theta_ddot_by_f_2], // psi''
+            [d_psi_ddot_by_f_1, d_psi_ddot_by_f_2], // psi''
             [d_eps_ddot_by_f_1, d_eps_ddot_by_f_2], // eps''
             [d_theta_ddot_by_f_1, d_theta_ddot_by_f_2], // theta''
         ],
@@ -646,7 +638,6 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let m = p.m_c + p.m_h + p.m_b;
     let f_s = u.f_1 + u.f_2;
-    // body aircraft on heli
     let m_prime_per_m = m_prime / m;
     let m_prime_per_m_c_eps = m_prime_per_m * c_eps;
     // frame heli on arm
@@ -655,37 +646,34 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let I_psi_s_theta = p.I_psi * s_theta;
     let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
     // frame arm on column
-    let M_psi_eps = c_eps * (I_eps_c_theta * s_theta - I_psi_s_theta * c_theta);
-    let arm_1 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
-    let M_psi_psi = arm_1 - M_psi_theta * s_eps;
-    // force rotor_1 on heli
+    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
+    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
+    let M_psi_psi = arm_2 - M_psi_theta * s_eps;
     let l_df_f_1 = p.l_df * u.f_1;
-    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
-    let n_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
+    // force rotor_2 on heli
+    let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
-    let arm_2 = s_eps * (l_df_f_2 - l_df_f_1);
-    let n_column_z = arm_2 - n_heli_y * c_eps * s_theta;
-    // gravity
+    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
     let g_m_prime_per_m_c_eps = p.g * m_prime_per_m_c_eps;
     // balance of forces
-    let tau_eps = -n_heli_y * c_theta - m * g_m_prime_per_m_c_eps;
+    let tau_eps = -n_applied_heli_y * c_theta - m * g_m_prime_per_m_c_eps;
     // M = L D L^T and back-substitution
     let inv_psi = 1.0 / M_psi_psi;
-    let l_eps_psi = M_psi_eps * inv_psi;
+    let l_eps_psi = arm_1 * inv_psi * c_eps;
     let l_theta_psi = M_psi_theta * inv_psi;
     let M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
     let pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
     let inv_eps = 1.0 / pivot_eps;
     let l_theta_eps = -inv_eps * l_theta_psi * M_psi_psi_l_eps_psi;
-    let solve_1 = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi;
-    let pivot_theta = solve_1 - l_theta_eps * pivot_eps * l_theta_eps;
+    let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
     let inv_theta = 1.0 / pivot_theta;
-    let solve_2 = tau_eps - n_column_z * l_eps_psi;
-    let solve_3 = l_df_f_1 - l_df_f_2 - n_column_z * l_theta_psi;
-    let theta_ddot = inv_theta * (solve_3 - l_theta_eps * solve_2);
-    let eps_ddot = inv_eps * solve_2 - l_theta_eps * theta_ddot;
-    let psi_ddot = n_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
+    let solve_1 = tau_eps - n_applied_column_z * l_eps_psi;
+    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
+    let theta_ddot = inv_theta * (solve_2 - l_theta_eps * solve_1);
+    let eps_ddot = inv_eps * solve_1 - l_theta_eps * theta_ddot;
+    let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
     // derivatives with respect to m_h
     let by_m_h_1 = g_m_prime_per_m_c_eps + p.g * m * c_eps * (p.l_oc - m_prime_per_m) / m;
     let d_theta_ddot_by_m_h = inv_theta * l_theta_eps * by_m_h_1;
@@ -696,67 +684,65 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let d_theta_ddot_by_m_b = inv_theta * l_theta_eps * by_m_b_1;
     let d_eps_ddot_by_m_b = -inv_eps * by_m_b_1 - l_theta_eps * d_theta_ddot_by_m_b;
     let d_psi_ddot_by_m_b = -l_eps_psi * d_eps_ddot_by_m_b - l_theta_psi * d_theta_ddot_by_m_b;
-    // derivatives with respect to g
     let m_m_prime_per_m_c_eps = m * m_prime_per_m_c_eps;
+    // derivatives with respect to g
     let d_theta_ddot_by_g = inv_theta * l_theta_eps * m_m_prime_per_m_c_eps;
     let d_eps_ddot_by_g = -inv_eps * m_m_prime_per_m_c_eps - l_theta_eps * d_theta_ddot_by_g;
     let d_psi_ddot_by_g = -l_eps_psi * d_eps_ddot_by_g - l_theta_psi * d_theta_ddot_by_g;
-    // derivatives with respect to l_oc
     let f_s_c_eps_s_theta = f_s * c_eps * s_theta;
-    let by_l_oc_1 = f_s * c_theta - p.m_h * p.g * m * c_eps / m;
-    let by_l_oc_2 = by_l_oc_1 - l_eps_psi * f_s_c_eps_s_theta;
-    let d_theta_ddot_by_l_oc = inv_theta * (-l_theta_psi * f_s_c_eps_s_theta - l_theta_eps * by_l_oc_2);
-    let d_eps_ddot_by_l_oc = inv_eps * by_l_oc_2 - l_theta_eps * d_theta_ddot_by_l_oc;
-    let by_l_oc_3 = inv_psi * f_s_c_eps_s_theta - l_eps_psi * d_eps_ddot_by_l_oc;
-    // derivatives with respect to l_ob
+    // derivatives with respect to l_oc
+    let by_l_oc_1 = f_s * c_theta - p.m_h * p.g * m * c_eps / m - l_eps_psi * f_s_c_eps_s_theta;
+    let d_theta_ddot_by_l_oc = inv_theta * (-l_theta_psi * f_s_c_eps_s_theta - l_theta_eps * by_l_oc_1);
+    let d_eps_ddot_by_l_oc = inv_eps * by_l_oc_1 - l_theta_eps * d_theta_ddot_by_l_oc;
+    let d_psi_ddot_by_l_oc = inv_psi * f_s_c_eps_s_theta - l_eps_psi * d_eps_ddot_by_l_oc - l_theta_psi * d_theta_ddot_by_l_oc;
     let g_m_m_c_per_m_c_eps = p.m_c * p.g * m * c_eps / m;
+    // derivatives with respect to l_ob
     let d_theta_ddot_by_l_ob = -inv_theta * l_theta_eps * g_m_m_c_per_m_c_eps;
     let d_eps_ddot_by_l_ob = inv_eps * g_m_m_c_per_m_c_eps - l_theta_eps * d_theta_ddot_by_l_ob;
     let d_psi_ddot_by_l_ob = -l_eps_psi * d_eps_ddot_by_l_ob - l_theta_psi * d_theta_ddot_by_l_ob;
-    // derivatives with respect to l_oa
     let g_m_m_b_per_m_c_eps = p.m_b * p.g * m * c_eps / m;
+    // derivatives with respect to l_oa
     let d_theta_ddot_by_l_oa = inv_theta * l_theta_eps * g_m_m_b_per_m_c_eps;
     let d_eps_ddot_by_l_oa = -inv_eps * g_m_m_b_per_m_c_eps - l_theta_eps * d_theta_ddot_by_l_oa;
     let d_psi_ddot_by_l_oa = -l_eps_psi * d_eps_ddot_by_l_oa - l_theta_psi * d_theta_ddot_by_l_oa;
-    // derivatives with respect to l_df
     let f_2_minus_f_1_s_eps = s_eps * (u.f_2 - u.f_1);
+    // derivatives with respect to l_df
     let by_l_df_1 = l_eps_psi * f_2_minus_f_1_s_eps;
-    let by_l_df_2 = u.f_1 - u.f_2 - l_theta_psi * f_2_minus_f_1_s_eps + l_theta_eps * by_l_df_1;
-    let d_theta_ddot_by_l_df = inv_theta * by_l_df_2;
+    let d_theta_ddot_by_l_df = inv_theta * (u.f_1 - u.f_2 - l_theta_psi * f_2_minus_f_1_s_eps + l_theta_eps * by_l_df_1);
     let d_eps_ddot_by_l_df = -inv_eps * by_l_df_1 - l_theta_eps * d_theta_ddot_by_l_df;
-    let by_l_df_3 = inv_psi * f_2_minus_f_1_s_eps - l_eps_psi * d_eps_ddot_by_l_df;
-    // derivatives with respect to I_psi
+    let d_psi_ddot_by_l_df = inv_psi * f_2_minus_f_1_s_eps - l_eps_psi * d_eps_ddot_by_l_df - l_theta_psi * d_theta_ddot_by_l_df;
     let s_theta_sq = s_theta * s_theta;
     let c_eps_s_theta_c_theta = c_eps * s_theta * c_theta;
-    // derivatives with respect to I_eps
     let c_theta_sq = c_theta * c_theta;
     // slopes of the balance of forces, at the accelerations found
-    let slopes_1 = eps_ddot * c_eps_s_theta_c_theta;
-    let slopes_2 = psi_ddot * c_eps_s_theta_c_theta;
-    let slopes_3 = slopes_1 + psi_ddot * c_eps * c_eps * (1.0 - c_theta_sq);
+    let slopes_1 = psi_ddot * c_eps * c_eps * (1.0 - s_theta_sq);
+    let slopes_2 = eps_ddot * c_eps_s_theta_c_theta;
+    let slopes_3 = psi_ddot * c_eps_s_theta_c_theta;
+    let slopes_4 = psi_ddot * c_eps * c_eps * (1.0 - c_theta_sq);
+    let slopes_2_plus_slopes_4 = slopes_2 + slopes_4;
     // derivatives with respect to m_c
     let by_m_c_1 = p.g * m * c_eps * (p.l_ob + m_prime_per_m) / m - g_m_prime_per_m_c_eps;
     let d_theta_ddot_by_m_c = -inv_theta * l_theta_eps * by_m_c_1;
     let d_eps_ddot_by_m_c = inv_eps * by_m_c_1 - l_theta_eps * d_theta_ddot_by_m_c;
     let d_psi_ddot_by_m_c = -l_eps_psi * d_eps_ddot_by_m_c - l_theta_psi * d_theta_ddot_by_m_c;
+    let slopes_2_minus_slopes_1 = slopes_2 - slopes_1;
     // derivatives with respect to I_psi
-    let by_I_psi_1 = slopes_1 - psi_ddot * c_eps * c_eps * (1.0 - s_theta_sq);
-    let by_I_psi_2 = slopes_2 - eps_ddot * s_theta_sq - l_eps_psi * by_I_psi_1;
-    let d_theta_ddot_by_I_psi = inv_theta * (-l_theta_psi * by_I_psi_1 - l_theta_eps * by_I_psi_2);
-    let d_eps_ddot_by_I_psi = inv_eps * by_I_psi_2 - l_theta_eps * d_theta_ddot_by_I_psi;
-    let by_I_psi_3 = inv_psi * by_I_psi_1 - l_eps_psi * d_eps_ddot_by_I_psi;
+    let by_I_psi_1 = slopes_3 - eps_ddot * s_theta_sq - l_eps_psi * slopes_2_minus_slopes_1;
+    let d_theta_ddot_by_I_psi = inv_theta * (-l_theta_psi * slopes_2_minus_slopes_1 - l_theta_eps * by_I_psi_1);
+    let d_eps_ddot_by_I_psi = inv_eps * by_I_psi_1 - l_theta_eps * d_theta_ddot_by_I_psi;
+    let d_psi_ddot_by_I_psi = inv_psi * slopes_2_minus_slopes_1 - l_eps_psi * d_eps_ddot_by_I_psi - l_theta_psi * d_theta_ddot_by_I_psi;
     // derivatives with respect to I_eps
-    let by_I_eps_1 = l_eps_psi * slopes_3 - slopes_2 - eps_ddot * c_theta_sq;
-    let d_theta_ddot_by_I_eps = -inv_theta * (l_theta_eps * by_I_eps_1 - l_theta_psi * slopes_3);
+    let by_I_eps_1 = l_eps_psi * slopes_2_plus_slopes_4 - slopes_3 - eps_ddot * c_theta_sq;
+    let d_theta_ddot_by_I_eps = -inv_theta * (l_theta_eps * by_I_eps_1 - l_theta_psi * slopes_2_plus_slopes_4);
     let d_eps_ddot_by_I_eps = inv_eps * by_I_eps_1 - l_theta_eps * d_theta_ddot_by_I_eps;
-    let by_I_eps_2 = inv_psi * slopes_3 + l_eps_psi * d_eps_ddot_by_I_eps;
+    let d_psi_ddot_by_I_eps = -inv_psi * slopes_2_plus_slopes_4 - l_eps_psi * d_eps_ddot_by_I_eps - l_theta_psi * d_theta_ddot_by_I_eps;
     // derivatives with respect to I_theta
     let by_I_theta_1 = theta_ddot * s_eps - psi_ddot * s_eps * s_eps;
     let l_eps_psi_by_I_theta_1 = l_eps_psi * by_I_theta_1;
     let by_I_theta_2 = psi_ddot * s_eps - theta_ddot - l_theta_psi * by_I_theta_1;
     let d_theta_ddot_by_I_theta = inv_theta * (by_I_theta_2 + l_theta_eps * l_eps_psi_by_I_theta_1);
     let d_eps_ddot_by_I_theta = -inv_eps * l_eps_psi_by_I_theta_1 - l_theta_eps * d_theta_ddot_by_I_theta;
-    let by_I_theta_3 = inv_psi * by_I_theta_1 - l_eps_psi * d_eps_ddot_by_I_theta;
+    let d_psi_ddot_by_I_theta = inv_psi * by_I_theta_1 - l_eps_psi * d_eps_ddot_by_I_theta - l_theta_psi * d_theta_ddot_by_I_theta;
     positive(M_psi_psi, 0)?;
     positive(pivot_eps, 1)?;
     positive(pivot_theta, 2)?;
@@ -766,10 +752,9 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 15], // theta'
         // psi''
         Parameters {
-            m_h: d_psi_ddot_by_m_h, m_b: d_psi_ddot_by_m_b, m_c: d_psi_ddot_by_m_c, g: d_psi_ddot_by_g,
-            l_oc: by_l_oc_3 - l_theta_psi * d_theta_ddot_by_l_oc, l_ob: d_psi_ddot_by_l_ob, l_oa: d_psi_ddot_by_l_oa,
-            l_df: by_l_df_3 - l_theta_psi * d_theta_ddot_by_l_df, I_psi: by_I_psi_3 - l_theta_psi * d_theta_ddot_by_I_psi,
-            I_eps: -by_I_eps_2 - l_theta_psi * d_theta_ddot_by_I_eps, I_theta: by_I_theta_3 - l_theta_psi * d_theta_ddot_by_I_theta,
+            m_h: d_psi_ddot_by_m_h, m_b: d_psi_ddot_by_m_b, m_c: d_psi_ddot_by_m_c, g: d_psi_ddot_by_g, l_oc: d_psi_ddot_by_l_oc,
+            l_ob: d_psi_ddot_by_l_ob, l_oa: d_psi_ddot_by_l_oa, l_df: d_psi_ddot_by_l_df, I_psi: d_psi_ddot_by_I_psi,
+            I_eps: d_psi_ddot_by_I_eps, I_theta: d_psi_ddot_by_I_theta,
         ..Parameters::ZERO }.to_array(),
         // eps''
         Parameters {

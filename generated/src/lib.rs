@@ -26,3 +26,14 @@ pub mod googol_mrb;
 
 /// Googol GHP2002, single-rigid-body model.
 pub mod googol_srb;
+
+/// All models, by the names of their rigs' files.
+pub const MODELS: [(&str, &dyn runtime::Model); 7] = [
+    ("cart_pole", &cart_pole::CartPole),
+    ("furuta", &furuta::Furuta),
+    ("googol", &googol::Googol),
+    ("googol_eq13", &googol_eq13::GoogolEq13),
+    ("googol_identified", &googol_identified::GoogolIdentified),
+    ("googol_mrb", &googol_mrb::GoogolMrb),
+    ("googol_srb", &googol_srb::GoogolSrb),
+];

@@ -1,6 +1,6 @@
 //! The rig language: text in, checked rig out.
 //!
-//! One grammar for files, for `rig! { .. }` and for the program. The passes, in order: `token` ->
+//! One grammar for files, for `rig! { .. }` (whose tokens `macro_text` writes out) and for the program. The passes, in order: `token` ->
 //! `parser` -> `extend` -> `resolve` (with `quantity` for expressions and `units`) -> `mechanics`. Each reports all
 //! that it finds; a [`rig::Rig`] comes out only if nothing is wrong. No input makes it panic.
 #![forbid(unsafe_code)]
@@ -8,6 +8,7 @@
 mod ast;
 mod diagnostic;
 mod extend;
+mod macro_text;
 mod mechanics;
 mod parser;
 mod quantity;
@@ -18,6 +19,7 @@ mod token;
 pub mod units;
 
 pub use diagnostic::{CATALOGUE, Diagnostic, Severity, nearest};
+pub use macro_text::MacroText;
 pub use source::{FileLoader, Loader, NoFiles, Place, Sources};
 
 use rig::Rig;
@@ -51,6 +53,29 @@ pub fn check(root: &str, loader: &dyn Loader, options: &CheckOptions) -> Checked
     let mut files = Vec::new();
     read(root, None, loader, &mut sources, &mut files, &mut Vec::new(), &mut diagnostics);
     finish(files, sources, diagnostics, options)
+}
+
+/// Checks the tokens of a macro. `name` stands for the Rust file in messages; files that the rig uses are looked up by
+/// the loader as they are written. Spans in file 0 can be taken back to the compiler's by the [`MacroText`].
+#[must_use]
+pub fn check_tokens(name: &str, tokens: proc_macro2::TokenStream, loader: &dyn Loader, options: &CheckOptions) -> (Checked, MacroText) {
+    struct Root<'a> {
+        name: &'a str,
+        text: &'a str,
+        loader: &'a dyn Loader,
+    }
+    impl Loader for Root<'_> {
+        fn load(&self, name: &str) -> Result<Vec<u8>, String> {
+            if name == self.name { Ok(self.text.as_bytes().to_vec()) } else { self.loader.load(name) }
+        }
+        fn beside(&self, from: &str, relative: &str) -> String {
+            if from == self.name { relative.to_owned() } else { self.loader.beside(from, relative) }
+        }
+    }
+    let text = MacroText::new(tokens);
+    let root = Root { name, text: &text.text, loader };
+    let checked = check(name, &root, options);
+    (checked, text)
 }
 
 /// Checks a text that stands alone.
@@ -205,7 +230,9 @@ pub fn parse_unit(text: &str) -> Result<units::Unit, String> {
     let scope = quantity::Scope::default();
     let mut used = std::collections::BTreeSet::new();
     let sources = Sources { files: vec![("unit".to_owned(), text.to_owned())] };
-    let unit = parsed.as_ref().and_then(|u| quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.unit(u));
+    let unit = parsed
+        .as_ref()
+        .and_then(|u| quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.unit(u));
     match (unit, diagnostics.first()) {
         (Some(unit), None) if unit.factor.is_finite() && unit.factor > 0.0 => Ok(unit),
         (_, Some(d)) => Err(d.message.clone()),

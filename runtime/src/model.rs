@@ -120,7 +120,7 @@ pub trait Model: Sync {
     /// # Errors
     /// [`Singular`] where the mass matrix is not positive definite.
     fn parameter_jacobian(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dfdp: &mut [f64]) -> Result<(), Singular>;
-    /// Pivots D of the mass matrix M = L D L^T, one a coordinate (infinite where a coordinate is prescribed), written to
+    /// Pivots D of the mass matrix M = L^T D L, one a coordinate (infinite where a coordinate is prescribed), written to
     /// `d`; false where the model does not give them. Pivot k vanishes where coordinate k moves no inertia.
     fn pivots(&self, _t: f64, _x: &[f64], _p: &[f64], _d: &mut [f64]) -> bool {
         false

@@ -56,20 +56,37 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
     for function in functions(e) {
         let prototype = prototype(&fields, &function);
         let lines = function.doc.iter().filter(|line| !line.starts_with("```"));
-        for (i, line) in lines.enumerate() {
-            let start = if i == 0 { "/*" } else { " *" };
-            let _ = writeln!(header, "{}", format!("{start} {}", in_c(line)).trim_end());
-        }
+        let mut lines: Vec<String> = lines.map(|line| in_c(line)).collect();
         if function.pivots.is_some() {
-            header.push_str(" *\n * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;\n * then the results are not written.\n");
+            lines.push(String::new());
+            lines.push("Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;".to_owned());
+            lines.push("then the results are not written.".to_owned());
         }
-        let _ = writeln!(header, " */\n{prototype};\n");
+        match lines.as_slice() {
+            [one] => {
+                let _ = writeln!(header, "/* {one} */");
+            }
+            several => {
+                header.push_str("/*\n");
+                for line in several {
+                    let _ = writeln!(header, "{}", format!(" * {line}").trim_end());
+                }
+                header.push_str(" */\n");
+            }
+        }
+        let _ = writeln!(header, "{prototype};\n");
         write_function(&mut body, e, &fields, &function, &prototype, &mut calls);
     }
     header.push_str("#ifdef __cplusplus\n}\n#endif\n\n");
     let _ = writeln!(header, "#endif /* {guard} */");
     let header_name = format!("{prefix}.h");
     let mut text = format!("{comment}#include \"{header_name}\"\n\n#include <math.h>\n\n");
+    if body.contains("NEVER_INLINE ") {
+        text.push_str(
+            "/* A compiler would inline a function that is called once, and undo the split of long functions. */\n\
+             #if defined(__GNUC__)\n#define NEVER_INLINE __attribute__((noinline))\n#else\n#define NEVER_INLINE\n#endif\n\n",
+        );
+    }
     text.push_str(&helpers(&calls));
     text.push_str(body.trim_end());
     text.push('\n');
@@ -225,7 +242,13 @@ fn prototype(fields: &Fields, function: &Function) -> String {
     } else {
         "void"
     };
-    format!("{result} {}_{}({})", fields.prefix, plain_name(function), list.join(", "))
+    signature(&format!("{result} {}_{}", fields.prefix, plain_name(function)), &list)
+}
+
+/// Name and arguments, one a line where one line would be too long.
+fn signature(name: &str, list: &[String]) -> String {
+    let line = format!("{name}({})", list.join(", "));
+    if line.chars().count() < WIDTH { line } else { format!("{name}(\n    {})", list.join(",\n    ")) }
 }
 
 fn plain_name(function: &Function) -> String {
@@ -246,9 +269,10 @@ fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &F
             .collect();
         typed.extend(part.parts_used().iter().map(|&j| format!("const double part_{}[{}]", j + 1, part.lengths[j])));
         typed.push(format!("double part_{}[{}]", k + 1, part.exports.len()));
-        let _ = writeln!(out, "/* Part {} of {name}. */\nstatic void {name}_part_{}({})\n{{", k + 1, k + 1, typed.join(", "));
+        let head = signature(&format!("NEVER_INLINE static void {name}_part_{}", k + 1), &typed);
+        let _ = writeln!(out, "/* Part {} of {name}. */\n{head}\n{{", k + 1);
         write_imports(out, &part.imports, &plan);
-        write_statements(out, e, &plan, &part.own);
+        write_statements(out, e, &function.name, &plan, &part.own);
         for (i, value) in part.exports.iter().enumerate() {
             let _ = writeln!(out, "    part_{}[{i}] = {};", k + 1, value.name(&plan));
         }
@@ -282,7 +306,7 @@ fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &F
         let _ = writeln!(out, "    {name}_part_{}({});", k + 1, list.join(", "));
     }
     write_imports(out, &rest.imports, &plan);
-    write_statements(out, e, &plan, &rest.own);
+    write_statements(out, e, &function.name, &plan, &rest.own);
     write_results(out, fields, function, &plan);
     out.push_str("}\n\n");
 }
@@ -297,12 +321,12 @@ fn write_imports(out: &mut String, imports: &[Import], plan: &Plan) {
     }
 }
 
-fn write_statements(out: &mut String, e: &Equations, plan: &Plan, range: &std::ops::Range<usize>) {
+fn write_statements(out: &mut String, e: &Equations, within: &str, plan: &Plan, range: &std::ops::Range<usize>) {
     let mut before: Option<String> = None;
     for statement in &plan.statements[range.clone()] {
-        if !statement.is_trig {
+        if statement.needs_comment {
             let comment = about(e, &statement.scope);
-            if let Some(comment) = comment.as_ref().filter(|_| comment != before) {
+            if let Some(comment) = comment.as_ref().filter(|words| comment != before && *words != within) {
                 let _ = writeln!(out, "    /* {} */", in_c(comment));
             }
             before = comment;
@@ -328,12 +352,8 @@ fn assign(out: &mut String, left: &str, value: &Form, comment: &str) {
         let _ = writeln!(out, "{line}{comment}");
         return;
     }
-    let _ = write!(out, "    {}", left.trim_end());
-    for (i, piece) in value.pieces().iter().enumerate() {
-        let indent = if i == 0 { 8 } else { 12 };
-        let _ = write!(out, "\n{:indent$}{}", "", piece.trim_start());
-    }
-    let _ = writeln!(out, ";{comment}");
+    let lines: Vec<String> = value.pieces().iter().enumerate().map(|(i, piece)| if i == 0 { piece.clone() } else { format!("\n        {}", piece.trim_start()) }).collect();
+    let _ = writeln!(out, "    {left}{};{comment}", lines.concat());
 }
 
 /// Checks of pivots, then the results, entry by entry.
@@ -350,7 +370,7 @@ fn write_results(out: &mut String, fields: &Fields, function: &Function, plan: &
         let row = |i: usize| output.rows.get(i).map_or(String::new(), |name| format!(" /* {name} */"));
         match output.shape {
             Shape::Scalar => {
-                let _ = writeln!(out, "    return {};", values[0].text());
+                assign(out, "return ", &values[0], "");
             }
             Shape::Array(_) => {
                 for (i, value) in values.iter().enumerate() {

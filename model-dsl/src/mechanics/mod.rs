@@ -29,7 +29,7 @@ struct Context<'a> {
 
 /// Runs all checks. Those that ask what is missing wait until nothing is lost to an error of another kind.
 pub fn check(rig: &Rig, statements: &[Statement], used: &BTreeSet<Symbol>, diagnostics: &mut Vec<Diagnostic>) {
-    let context = Context { rig, statements, used, numbers: Numbers::new(rig) };
+    let mut context = Context { rig, statements, used, numbers: Numbers::new(rig) };
     let error = |d: &Diagnostic| d.severity == Severity::Error;
     // a statement that could not be read, or a name that means nothing, may be the very thing that seems to be missing
     let complete = !diagnostics.iter().any(|d| {
@@ -43,6 +43,8 @@ pub fn check(rig: &Rig, statements: &[Statement], used: &BTreeSet<Symbol>, diagn
     let written = statements.iter().filter(|s| s.keyword == "equation").count();
     if complete && written == rig.equations.len() {
         let unused = unused::coordinates(&context, diagnostics);
+        // equations are solved for accelerations with what `set` assumes
+        context.numbers = Numbers::assumed(rig);
         motion::check(&context, &unused, diagnostics);
     }
     if !diagnostics.iter().any(error) {

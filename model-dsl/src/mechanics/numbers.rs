@@ -1,4 +1,4 @@
-//! Expressions to numbers, at the parameters' values (those that `set` assumes in place of theirs).
+//! Expressions to numbers, at the parameters' values.
 
 use crate::rig::{AssumptionKind, BinaryOp, Expr, Function, Rig, Symbol};
 
@@ -14,12 +14,21 @@ pub struct Numbers<'a> {
 impl<'a> Numbers<'a> {
     /// Evaluates all definitions, which stand behind what they use.
     pub fn new(rig: &'a Rig) -> Self {
+        Self::with(rig, rig.parameters.iter().map(|p| p.value).collect())
+    }
+
+    /// With the values that `set` assumes in place of the parameters' own.
+    pub fn assumed(rig: &'a Rig) -> Self {
         let mut parameters: Vec<f64> = rig.parameters.iter().map(|p| p.value).collect();
         for a in &rig.assumptions {
             if let AssumptionKind::Set { parameter, value } = a.kind {
                 parameters[parameter] = value;
             }
         }
+        Self::with(rig, parameters)
+    }
+
+    fn with(rig: &'a Rig, parameters: Vec<f64>) -> Self {
         let mut numbers = Self { rig, parameters, definitions: Vec::new(), holes: Vec::new() };
         for d in &rig.definitions {
             let (value, hole) = match d.parameter {

@@ -182,19 +182,18 @@ impl Resolver<'_> {
     }
 
     pub(super) fn damper(&mut self, s: &Statement, along: &AstAlong, entries: &[Entry]) {
-        if let AstAlong::On(e) = along {
-            let d = Diagnostic::error("E0206", "a damper acts between two points", e.span, "not two points");
-            self.diagnostics.push(d.help(format!("on a coordinate write `friction {} on .. {{ viscous c; }}`", s.name.text)));
-            return;
-        }
-        let along = self.along(along).0;
+        let (along, x) = self.along(along);
+        let row = match &along {
+            Along::Coordinate(e) => self.row_of(e),
+            Along::Points { .. } => Some(Dimension::FORCE),
+        };
         let mut viscous = hole();
         self.entries(s, entries, &["viscous"]);
         for e in entries {
             match e.key.text.as_str() {
                 "viscous" => {
-                    viscous =
-                        self.expect(&e.values[0], Dimension::FORCE * Dimension::TIME / Dimension::LENGTH, "a damper", Allowed::Parameters)
+                    let wanted = row.zip(x).map(|(row, x)| row * Dimension::TIME / x);
+                    viscous = self.expect(&e.values[0], wanted, "a damper", Allowed::Parameters);
                 }
                 _ => self.entry_error(e, "viscous C"),
             }
