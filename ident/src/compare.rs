@@ -1,7 +1,7 @@
 //! A model's free run laid over a measured record.
 
-mod initial;
-mod series;
+pub(crate) mod initial;
+pub(crate) mod series;
 
 pub use initial::{INITIAL_WINDOW, initial_state};
 pub use series::{fit_percent, rmse};
@@ -119,6 +119,6 @@ pub fn compare(model: &dyn Model, p: &[f64], record: &Record, options: &CompareO
 }
 
 /// The unit is one of angles.
-fn is_angle(unit: &str) -> bool {
+pub(crate) fn is_angle(unit: &str) -> bool {
     matches!(unit, "rad" | "deg" | "turn" | "rev" | "mrad")
 }

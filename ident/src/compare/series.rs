@@ -4,13 +4,13 @@ use std::f64::consts::{PI, TAU};
 
 /// Value and rate of a straight line at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Line {
+pub(crate) struct Line {
     pub value: f64,
     pub rate: f64,
 }
 
 /// The least-squares line through samples, at time `at`.
-pub(super) fn line(t: &[f64], y: &[f64], at: f64) -> Line {
+pub(crate) fn line(t: &[f64], y: &[f64], at: f64) -> Line {
     let n = t.len() as f64;
     let (mt, my) = (t.iter().sum::<f64>() / n, y.iter().sum::<f64>() / n);
     let (mut stt, mut sty) = (0.0, 0.0);
@@ -23,7 +23,7 @@ pub(super) fn line(t: &[f64], y: &[f64], at: f64) -> Line {
 }
 
 /// Takes out the jumps of a whole turn between samples [rad].
-pub(super) fn unwrap(y: &mut [f64]) {
+pub(crate) fn unwrap(y: &mut [f64]) {
     let mut turns = 0.0;
     for k in 1..y.len() {
         let jump = y[k] + turns - y[k - 1];
