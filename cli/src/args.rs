@@ -1,6 +1,6 @@
 //! The command line: what can be asked, and how. Wrong usage ends with exit code 2.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// Rig text in, models out.
@@ -20,12 +20,28 @@ pub struct Arguments {
 pub enum Command {
     /// Parse a rig; check names, units and mechanics.
     Check(File),
+    /// Print the equations as a person writes them.
+    Show(Show),
     /// Numbers at one state: M, bias, forces, accelerations, Jacobians.
     Eval(Eval),
+    /// What one model has and the other lacks, term by term.
+    Diff(Diff),
+    /// Write the model as Rust or C.
+    Generate(Generate),
+    /// Write the declared rig (json) or the derived equations (casadi, latex).
+    Export(Export),
     /// Find an operating point.
     Trim(Trim),
     /// Linear models at operating points.
     Linearize(Linearize),
+    /// Linear-quadratic regulator at an operating point.
+    Lqr(Lqr),
+    /// Simulate a rig under inputs from a record.
+    Simulate(Simulate),
+    /// Lay free runs of rigs over a measured record.
+    Compare(Compare),
+    /// The whole chain on a rig and a record that the program carries with it.
+    Demo(Demo),
 }
 
 /// A rig file and changes of its parameters.
@@ -99,4 +115,197 @@ pub struct Linearize {
     /// Keep the slope of regularized Coulomb friction.
     #[arg(long)]
     pub friction_slope: bool,
+}
+
+/// What a logged input does between its samples.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Hold {
+    /// Keeps the last sample, as a digital-to-analogue converter does.
+    Zero,
+    /// Goes straight from sample to sample.
+    First,
+}
+
+impl From<Hold> for sim::Hold {
+    fn from(hold: Hold) -> Self {
+        match hold {
+            Hold::Zero => Self::Zero,
+            Hold::First => Self::First,
+        }
+    }
+}
+
+/// `rig lqr`: u = u* - K (x - x*).
+#[derive(Args)]
+pub struct Lqr {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Point.
+    #[command(flatten)]
+    pub point: Point,
+    /// Inputs that the regulator moves, mixed ones by their names: `f_s,f_d`.
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub inputs: Vec<String>,
+    /// States that are fed back (default: all); the others are taken as constant.
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub states: Vec<String>,
+    /// Outputs whose deviation is integrated.
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub integrate: Vec<String>,
+    /// Diagonal of Q: one weight for each state, then one for each integral.
+    #[arg(long, value_delimiter = ',', value_name = "Q1,Q2", required = true, allow_hyphen_values = true)]
+    pub weights_x: Vec<f64>,
+    /// Diagonal of R: one weight for each input.
+    #[arg(long, value_delimiter = ',', value_name = "R1,R2", required = true, allow_hyphen_values = true)]
+    pub weights_u: Vec<f64>,
+    /// Sampled controller with this period [s].
+    #[arg(long, value_name = "DT")]
+    pub discrete: Option<f64>,
+    /// With --discrete: minimize the sum over the samples (as `dlqr`) instead of the integral (as `lqrd`).
+    #[arg(long, requires = "discrete")]
+    pub sum: bool,
+    /// Keep the slope of regularized Coulomb friction.
+    #[arg(long)]
+    pub friction_slope: bool,
+}
+
+/// `rig simulate`.
+#[derive(Args)]
+pub struct Simulate {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Inputs over time: a record (CSV with `t` and the inputs, or a description file).
+    #[arg(long, value_name = "CSV")]
+    pub input: PathBuf,
+    /// Where the simulated outputs and states go.
+    #[arg(long, value_name = "CSV")]
+    pub out: PathBuf,
+    /// Initial coordinates, rates and actuator states; what is not given is 0.
+    #[arg(long = "at", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub at: Vec<String>,
+    /// What logged inputs do between samples.
+    #[arg(long, value_enum, default_value = "zero")]
+    pub hold: Hold,
+    /// Show outputs as encoders do: in counts, and wrapped.
+    #[arg(long)]
+    pub encoders: bool,
+    /// Overwrite the output file.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig compare`.
+#[derive(Args)]
+pub struct Compare {
+    /// Rigs.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// The record.
+    #[arg(long, value_name = "RECORD")]
+    pub data: PathBuf,
+    /// Override a parameter in every rig that has it.
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Use the definitions behind lumps instead of their own values.
+    #[arg(long)]
+    pub expand_lumps: bool,
+    /// Initial coordinates and rates, instead of what the record's start says.
+    #[arg(long = "at", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub at: Vec<String>,
+    /// What logged inputs do between samples.
+    #[arg(long, value_enum, default_value = "zero")]
+    pub hold: Hold,
+}
+
+/// `rig show`.
+#[derive(Args)]
+pub struct Show {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// LaTeX instead of text.
+    #[arg(long)]
+    pub latex: bool,
+    /// The full derivation, before the declared assumptions.
+    #[arg(long)]
+    pub full: bool,
+}
+
+/// `rig diff`.
+#[derive(Args)]
+pub struct Diff {
+    /// First rig.
+    pub first: PathBuf,
+    /// Second rig.
+    pub second: PathBuf,
+}
+
+/// Languages of generated code.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Language {
+    /// `no_std` Rust.
+    Rust,
+    /// C99.
+    C,
+}
+
+/// `rig generate`.
+#[derive(Args)]
+pub struct Generate {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Folder to write to.
+    #[arg(long)]
+    pub out: PathBuf,
+    /// Language.
+    #[arg(long, value_enum, default_value = "rust")]
+    pub lang: Language,
+    /// Write nothing; fail if what stands there is stale.
+    #[arg(long)]
+    pub check: bool,
+    /// Overwrite files that do not carry our header.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Targets of an export.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Target {
+    /// The derived equations as a Python module for CasADi.
+    Casadi,
+    /// The declared rig: bodies, joints, forces, assumptions.
+    Json,
+    /// The derived equations.
+    Latex,
+}
+
+/// `rig export`.
+#[derive(Args)]
+pub struct Export {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// What to write.
+    #[arg(long, value_enum)]
+    pub to: Target,
+    /// File to write to (default: the rig's name beside the current folder, with the target's ending).
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Overwrite a file that stands there.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig demo`.
+#[derive(Args)]
+pub struct Demo {
+    /// Folder for the rig and the record.
+    #[arg(long, default_value = "rig-demo")]
+    pub out: PathBuf,
+    /// Overwrite files of these names that are not ours.
+    #[arg(long)]
+    pub force: bool,
 }

@@ -70,3 +70,33 @@ pub fn poles_in_words(poles: &[nalgebra::Complex<f64>]) -> String {
     }
     words.join(", ")
 }
+
+/// A matrix with named rows and columns, a bar before column `bar`.
+pub fn table(columns: &[String], rows: &[(String, Vec<f64>)], bar: usize) -> String {
+    let mut cells: Vec<Vec<String>> = vec![std::iter::once(String::new()).chain(columns.iter().cloned()).collect()];
+    for (name, values) in rows {
+        cells.push(std::iter::once(name.clone()).chain(values.iter().map(|x| entry(*x))).collect());
+    }
+    let widths: Vec<usize> = (0..=columns.len()).map(|c| cells.iter().filter_map(|r| r.get(c)).map(|cell| cell.chars().count()).max().unwrap_or(0)).collect();
+    let mut text = String::new();
+    for row in &cells {
+        for (c, cell) in row.iter().enumerate() {
+            if c == bar.saturating_add(1) {
+                text.push_str("  |");
+            }
+            let pad = " ".repeat(widths[c] - cell.chars().count());
+            text.push_str("  ");
+            text.push_str(&if c == 0 { format!("{cell}{pad}") } else { format!("{pad}{cell}") });
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// An entry of a matrix: four decimals, or a power of ten where they would not show it.
+fn entry(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if (1e-3..1e5).contains(&x.abs()) { format!("{x:.4}") } else { format!("{x:.3e}") }
+}

@@ -17,6 +17,8 @@ use std::fmt;
 
 /// Residuals above this are an error.
 const RESIDUAL: f64 = 1e-9;
+/// A solution as good as this needs no other start.
+const GOOD: f64 = 1e-12;
 /// A mode out of reach, or unseen and this near to the limit of stability relative to A, cannot be told from a marginal one.
 const MARGINAL: f64 = 1e-10;
 const DOUBLINGS: usize = 70;
@@ -33,6 +35,9 @@ pub struct Riccati {
     pub poles: Vec<Complex<f64>>,
     /// Norm of the equation's left-hand side over the sum of its terms' norms (Frobenius).
     pub residual: f64,
+    /// Estimate of the relative error of X, to first order: what a change of the data by the residual (or by rounding,
+    /// if that is more) does to X in balanced states.
+    pub error: f64,
 }
 
 /// Why there is no solution.
@@ -77,6 +82,8 @@ pub enum RiccatiError {
     Inaccurate {
         /// Relative residual.
         residual: f64,
+        /// Estimated relative error of X.
+        error: f64,
         /// Smallest eigenvalue of X over the largest one.
         definiteness: f64,
         /// The mode that is hardest to reach or to see.
@@ -117,8 +124,8 @@ impl RiccatiError {
                     weakest.distance
                 )
             }
-            Self::Inaccurate { residual, definiteness, weakest } => format!(
-                "the solution is not accurate: relative residual {residual:.1e}, smallest over largest eigenvalue of X {definiteness:.1e}; hardest to reach or to see is the mode {}, relative distance {:.1e}",
+            Self::Inaccurate { residual, error, definiteness, weakest } => format!(
+                "the solution is not accurate: relative residual {residual:.1e}, estimated relative error {error:.1e}, smallest over largest eigenvalue of X {definiteness:.1e}; hardest to reach or to see is the mode {}, relative distance {:.1e}",
                 mode(weakest),
                 weakest.distance
             ),
@@ -174,28 +181,37 @@ pub fn solve(data: RiccatiData<'_>, time: Time) -> Result<Riccati, RiccatiError>
     check_data(&data)?;
     let core = Core::new(&data, time)?;
     core.check_modes()?;
-    let no_solution = || RiccatiError::NoSolution { weakest: core.weakest() };
+    // everything is found in balanced states and with X of the size of one; the checks are made in the user's
+    let (even, back) = core.balanced();
     let mut best: Option<Candidate> = None;
-    for start in core.starts() {
-        let Some(candidate) = core.refine(start) else { continue };
-        let good = candidate.residual <= 1e-12;
-        if best.as_ref().is_none_or(|b| candidate.residual < b.residual) {
-            best = Some(candidate);
+    for start in even.starts() {
+        let Some((x, condition)) = even.refine(start) else { continue };
+        let x = back.apply(&x);
+        let found = core.candidate(x.clone(), condition);
+        let again = if found.as_ref().is_some_and(|c| c.residual <= GOOD) {
+            None
+        } else {
+            core.refine(x).and_then(|(x, _)| core.candidate(x, condition))
+        };
+        for candidate in [found, again].into_iter().flatten() {
+            if best.as_ref().is_none_or(|b| candidate.residual < b.residual) {
+                best = Some(candidate);
+            }
         }
-        if good {
+        if best.as_ref().is_some_and(|b| b.residual <= GOOD) {
             break;
         }
     }
-    let best = best.ok_or_else(no_solution)?;
+    let best = best.ok_or_else(|| RiccatiError::NoSolution { weakest: even.weakest() })?;
     let eigen = SymmetricEigen::new(best.x.clone()).eigenvalues;
     let definiteness = if eigen.amax() > 0.0 { eigen.min() / eigen.amax() } else { 0.0 };
     let indefinite = core.weight_is_semidefinite() && definiteness < -1e-9;
     // not `>`: a residual that is not a number fails too
-    if !(best.residual <= RESIDUAL) || indefinite {
-        return Err(RiccatiError::Inaccurate { residual: best.residual, definiteness, weakest: core.weakest() });
+    if !(best.residual <= RESIDUAL) || indefinite || best.error > 1.0 {
+        return Err(RiccatiError::Inaccurate { residual: best.residual, error: best.error, definiteness, weakest: even.weakest() });
     }
     let gain = best.gain + &core.feed;
-    Ok(Riccati { poles: best.poles, residual: best.residual, x: best.x, gain })
+    Ok(Riccati { poles: best.poles, residual: best.residual, error: best.error, x: best.x, gain })
 }
 
 fn check_data(data: &RiccatiData<'_>) -> Result<(), RiccatiError> {
@@ -253,12 +269,27 @@ struct Candidate {
     gain: DMatrix<f64>,
     poles: Vec<Complex<f64>>,
     residual: f64,
+    error: f64,
+}
+
+/// From X of the balanced equation to X: s D^-1 X D^-1, all powers of two.
+struct Back {
+    d: Vec<f64>,
+    s: f64,
+}
+
+impl Back {
+    fn apply(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
+        DMatrix::from_fn(x.nrows(), x.ncols(), |i, j| x[(i, j)] / self.d[i] / self.d[j] * self.s)
+    }
 }
 
 /// What the equation says of an X.
 struct Residual {
     value: DMatrix<f64>,
     relative: f64,
+    /// Sum of the norms of the terms.
+    terms: f64,
     gain: DMatrix<f64>,
     closed: DMatrix<f64>,
 }
@@ -285,11 +316,16 @@ impl Core {
         let n = self.a.nrows();
         let not_finite = |_| RiccatiError::NotFinite { matrix: "A" };
         let size = self.a.norm();
+        // zero but for rounding
+        let clean = |z: Complex<f64>| {
+            let part = |x: f64| if x.abs() <= rounding(n) * size { 0.0 } else { x };
+            Complex::new(part(z.re), part(z.im))
+        };
         let margin = MARGINAL * size.max(if self.time == Time::Discrete { 1.0 } else { 0.0 });
         let unreached = Staircase::new(&self.a, &self.b, rounding(n)).map_err(not_finite)?;
         for z in eigenvalues(&unreached.rest).map_err(not_finite)? {
             if self.time.growth(z) >= -margin {
-                return Err(RiccatiError::Unreachable(pbh(&self.a, &self.b, z)));
+                return Err(RiccatiError::Unreachable(pbh(&self.a, &self.b, clean(z))));
             }
         }
         let (at, weight) = (self.a.transpose(), &self.q);
@@ -297,7 +333,7 @@ impl Core {
         let unseen = Staircase::new(&at, &weight, rounding(n)).map_err(not_finite)?;
         for z in eigenvalues(&unseen.rest).map_err(not_finite)? {
             if self.time.growth(z).abs() <= margin {
-                return Err(RiccatiError::Unseen(pbh(&at, &weight, z)));
+                return Err(RiccatiError::Unseen(pbh(&at, &weight, clean(z))));
             }
         }
         Ok(())
@@ -322,11 +358,12 @@ impl Core {
         eigen.iter().all(|&v| v >= -1e-12 * eigen.amax())
     }
 
-    /// Solutions by doubling in scaled states, for several shifts, each in the user's states.
-    fn starts(&self) -> impl Iterator<Item = DMatrix<f64>> + '_ {
+    /// The same equation in balanced states x = D x', with Q and G equally large.
+    fn balanced(&self) -> (Self, Back) {
         let n = self.a.nrows();
+        // a power of four, so that B takes its root exactly
         let ratio = |g: &DMatrix<f64>, q: &DMatrix<f64>| {
-            let s = (0.5 * (q.norm() / g.norm()).log2()).round().exp2();
+            let s = (0.25 * (q.norm() / g.norm()).log2()).round().exp2().powi(2);
             if s.is_finite() && s > 0.0 { s } else { 1.0 }
         };
         let first = ratio(&self.g, &self.q);
@@ -335,18 +372,23 @@ impl Core {
         let g = DMatrix::from_fn(n, n, |i, j| self.g[(i, j)] / d[i] / d[j]);
         let q = DMatrix::from_fn(n, n, |i, j| self.q[(i, j)] * d[i] * d[j]);
         let s = ratio(&g, &q);
-        let (g, q) = (g * s, q / s);
+        let b = DMatrix::from_fn(n, self.b.ncols(), |i, j| self.b[(i, j)] / d[i] * s.sqrt());
+        let even =
+            Self { time: self.time, a, b, q: q / s, r: self.r.clone(), g: g * s, r_factor: self.r_factor.clone(), feed: self.feed.clone() };
+        (even, Back { d, s })
+    }
+
+    /// Solutions by doubling, for several shifts.
+    fn starts(&self) -> impl Iterator<Item = DMatrix<f64>> + '_ {
         let shifts: Vec<f64> = match self.time {
             Time::Discrete => vec![0.0],
-            Time::Continuous => shifts(&a, &g, &q),
+            Time::Continuous => shifts(&self.a, &self.g, &self.q),
         };
-        shifts.into_iter().filter_map(move |shift| {
-            let begin = match self.time {
-                Time::Discrete => Some((a.clone(), g.clone(), q.clone())),
-                Time::Continuous => cayley(&a, &g, &q, shift),
-            };
-            let x = double(begin?)?;
-            Some(DMatrix::from_fn(n, n, |i, j| x[(i, j)] * s / d[i] / d[j]))
+        shifts.into_iter().filter_map(|shift| {
+            double(match self.time {
+                Time::Discrete => (self.a.clone(), self.g.clone(), self.q.clone()),
+                Time::Continuous => cayley(&self.a, &self.g, &self.q, shift)?,
+            })
         })
     }
 
@@ -372,20 +414,16 @@ impl Core {
         let sum = terms[0].norm() + terms[1].norm() + quadratic.norm() + self.q.norm();
         let relative = if sum > 0.0 { value.norm() / sum } else { 0.0 };
         let closed = &self.a - &self.b * &gain;
-        relative.is_finite().then_some(Residual { value, relative, gain, closed })
+        relative.is_finite().then_some(Residual { value, relative, terms: sum, gain, closed })
     }
 
-    /// Newton steps while they help; `None` where the closed loop is not stable.
-    fn refine(&self, x: DMatrix<f64>) -> Option<Candidate> {
+    /// Newton steps while they help, and how far X moves with the equation: the norm of the inverse of the closed
+    /// loop's Lyapunov operator, times the size of the equation's terms, over that of X.
+    fn refine(&self, x: DMatrix<f64>) -> Option<(DMatrix<f64>, f64)> {
         let mut x = symmetric(&x);
         let mut now = self.residual(&x)?;
         for _ in 0..NEWTON_STEPS {
-            let closed = now.closed.transpose();
-            let step = match self.time {
-                Time::Continuous => lyapunov(&closed, &now.value),
-                Time::Discrete => stein(&closed, &now.value),
-            };
-            let Ok(step) = step else { break };
+            let Ok(step) = self.linear_equation(&now.closed, &now.value) else { break };
             let next_x = symmetric(&(&x + step));
             let Some(next) = self.residual(&next_x) else { break };
             if next.relative >= now.relative {
@@ -393,8 +431,27 @@ impl Core {
             }
             (x, now) = (next_x, next);
         }
+        let n = x.nrows();
+        // the operator is positive: its inverse is largest at I
+        let inverse = self.linear_equation(&now.closed, &DMatrix::identity(n, n)).map_or(f64::INFINITY, |w| w.norm() / (n as f64).sqrt());
+        let condition = if x.norm() > 0.0 { inverse * now.terms / x.norm() } else { 0.0 };
+        Some((x, condition))
+    }
+
+    fn linear_equation(&self, closed: &DMatrix<f64>, value: &DMatrix<f64>) -> Result<DMatrix<f64>, crate::LyapunovError> {
+        match self.time {
+            Time::Continuous => lyapunov(&closed.transpose(), value),
+            Time::Discrete => stein(&closed.transpose(), value),
+        }
+    }
+
+    /// What an X is worth; `None` where its closed loop is not stable.
+    fn candidate(&self, x: DMatrix<f64>, condition: f64) -> Option<Candidate> {
+        let x = symmetric(&x);
+        let now = self.residual(&x)?;
         let poles = eigenvalues(&now.closed).ok()?;
-        self.time.stable(&poles).then_some(Candidate { x, gain: now.gain, poles, residual: now.relative })
+        let error = condition * now.relative.max(f64::EPSILON);
+        self.time.stable(&poles).then_some(Candidate { x, gain: now.gain, poles, residual: now.relative, error })
     }
 }
 

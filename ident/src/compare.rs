@@ -12,10 +12,12 @@ use sim::{Hold, SimError, Status, Trajectory, simulate};
 use std::fmt;
 
 /// Choices of a comparison.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct CompareOptions {
     /// How the rig stood at the first sample; `None`: as the record says.
     pub start: Option<Start>,
+    /// Initial states that are known: (state, value in SI), instead of what the record's start says.
+    pub initial: Vec<(usize, f64)>,
     /// What logged inputs do between samples.
     pub hold: Hold,
     /// Tolerances and limits of the run.
@@ -97,7 +99,12 @@ pub fn compare(model: &dyn Model, p: &[f64], record: &Record, options: &CompareO
         }
     }
     let start = options.start.unwrap_or(record.start);
-    let initial = initial_state(model, p, &record.t, &outputs, &signals.at(record.t[0]), start);
+    let mut initial = initial_state(model, p, &record.t, &outputs, &signals.at(record.t[0]), start);
+    for &(i, value) in &options.initial {
+        if let Some(x) = initial.get_mut(i) {
+            *x = value;
+        }
+    }
     let trajectory = simulate(model, p, &initial, &signals, &record.t, &options.simulation)?;
     let signals = outputs
         .into_iter()

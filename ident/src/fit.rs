@@ -19,7 +19,9 @@ mod answer;
 mod build;
 mod covariance;
 mod data;
+mod equation_error;
 mod error;
+mod filter;
 mod identifiability;
 mod initial;
 pub mod minimize;
@@ -31,6 +33,7 @@ mod specification;
 mod whiteness;
 
 pub use answer::{Estimate, Fit, InitialValue, RecordFigures, SignalFigure};
+pub use equation_error::{EquationErrorFit, Preparation, equation_error};
 pub use error::FitError;
 pub use identifiability::{Identifiable, TradeOff};
 pub use minimize::{Ending, LevenbergMarquardt, Limits, Minimizer};
@@ -64,7 +67,7 @@ pub fn identify(
     check(model, specs, records, options)?;
     let data = records.iter().map(|r| Data::new(r, model, options.hold)).collect::<Result<Vec<_>, _>>()?;
     let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
-    let mut starts = vec![("nominal".to_owned(), vec![nominal.clone(); data.len()])];
+    let mut starts = starts(model, specs, &data, nominal, options)?;
     let mut evaluations = 0;
     let mut patterns = build::patterns(model, &starts[0].1, &data, options)?;
     let mut solved;
@@ -92,6 +95,38 @@ pub fn identify(
     fit.evaluations = evaluations;
     fit.seconds = began.elapsed().as_secs_f64();
     Ok(fit)
+}
+
+/// Samples of the bumps of the weak form that are tried for starting values.
+const WINDOWS: [usize; 4] = [16, 40, 100, 250];
+
+/// Starting values, each with a name and the parameters of every record.
+fn starts(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    data: &[Data],
+    nominal: Vec<f64>,
+    options: &FitOptions,
+) -> Result<Vec<(String, Vec<Vec<f64>>)>, FitError> {
+    let mut starts = Vec::new();
+    if options.starting != Starting::EquationError {
+        starts.push(("nominal".to_owned(), vec![nominal; data.len()]));
+    }
+    if options.starting != Starting::Nominal {
+        let shortest = data.iter().map(|d| d.times.len()).min().unwrap_or(0);
+        for window in WINDOWS.into_iter().filter(|w| 4 * w <= shortest) {
+            match equation_error::fit(model, specs, data, Preparation::WeakForm { window }) {
+                Ok(found) => starts.push((format!("equation error, windows of {window} samples"), found.p_of_record)),
+                Err(e) if options.starting == Starting::EquationError => return Err(e),
+                // not every coordinate is measured: the nominal values have to do
+                Err(_) => break,
+            }
+        }
+        if starts.is_empty() {
+            return Err(FitError::EquationError { why: format!("{shortest} samples are too few for it") });
+        }
+    }
+    Ok(starts)
 }
 
 /// From the best start to the minimum; where scales are estimated, in turn with them.

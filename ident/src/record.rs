@@ -14,7 +14,7 @@ mod text;
 
 pub use error::{Cause, RecordError};
 pub use mat::{MatError, MatValue, Variable, read_mat};
-pub use matching::{Bound, MatchError, bind};
+pub use matching::{Bound, MatchError, bind, bind_signals};
 
 use model_dsl::units::Unit;
 use std::path::Path;

@@ -1,6 +1,8 @@
 //! Equations behind the model trait.
 
-use crate::program::{Arguments, Program};
+use crate::compile::NoCode;
+use crate::program::{Arguments, Evaluation, Program, RESULTS};
+use crate::selection::Selections;
 use codegen::Equations;
 use codegen::expr::Id;
 use runtime::{Dimensions, InputPath, Model, Names, OutputPath, Singular};
@@ -9,6 +11,7 @@ use std::sync::OnceLock;
 /// A model evaluated inside the process. Programs are made when they are first used.
 pub struct InProcess {
     equations: Equations,
+    evaluation: Evaluation,
     names: Labels,
     rhs: OnceLock<Program>,
     linear: OnceLock<Program>,
@@ -17,6 +20,8 @@ pub struct InProcess {
     outputs: OnceLock<Program>,
     output_jacobian: OnceLock<Program>,
     paths: OnceLock<Program>,
+    pivots: OnceLock<Program>,
+    selections: Selections,
 }
 
 struct Labels {
@@ -58,6 +63,12 @@ impl InProcess {
     /// Takes equations that were derived with Jacobians.
     #[must_use]
     pub fn new(equations: Equations) -> Self {
+        Self::evaluated(equations, Evaluation::default())
+    }
+
+    /// As [`InProcess::new`], evaluated in a chosen way.
+    #[must_use]
+    pub fn evaluated(equations: Equations, evaluation: Evaluation) -> Self {
         let layout = &equations.layout;
         let names = Labels {
             rig: layout.rig.clone(),
@@ -68,6 +79,7 @@ impl InProcess {
         };
         Self {
             equations,
+            evaluation,
             names,
             rhs: OnceLock::new(),
             linear: OnceLock::new(),
@@ -76,7 +88,16 @@ impl InProcess {
             outputs: OnceLock::new(),
             output_jacobian: OnceLock::new(),
             paths: OnceLock::new(),
+            pivots: OnceLock::new(),
+            selections: Selections::default(),
         }
+    }
+
+    /// Why machine code was wanted and could not be had, so that forward dynamics are interpreted; `None` where
+    /// nothing is amiss. The numbers are the same, only slower.
+    #[must_use]
+    pub fn interpreted_because(&self) -> Option<&NoCode> {
+        self.rhs.get()?.interpreted_because()
     }
 
     /// The equations.
@@ -85,37 +106,24 @@ impl InProcess {
         &self.equations
     }
 
-    fn program(&self, roots: &[Id]) -> Program {
-        Program::new(&self.equations.graph, roots, self.equations.layout.q.len())
+    fn program(&self, results: [&[Id]; RESULTS], pivots: &[Id]) -> Program {
+        Program::new(&self.equations.graph, results, pivots, self.equations.layout.q.len(), self.evaluation)
     }
 
-    /// Checks the pivots, which stand at the end of `values`.
-    fn check(&self, pivots: &[f64]) -> Result<(), Singular> {
-        // not `<= 0`: a pivot that is not a number is singular too
-        match pivots.iter().position(|&d| !(d > 0.0)) {
-            Some(k) => Err(Singular { coordinate: self.equations.free[k] }),
-            None => Ok(()),
-        }
-    }
-
-    fn run<const N: usize>(&self, program: &Program, a: Arguments, outs: [&mut [f64]; N]) -> Result<(), Singular> {
-        let length: usize = outs.iter().map(|o| o.len()).sum();
-        let mut values = vec![0.0; length + self.equations.pivots.len()];
-        program.run(a, &mut values);
-        let (results, pivots) = values.split_at(length);
-        let mut at = 0;
-        for out in outs {
-            out.copy_from_slice(&results[at..at + out.len()]);
-            at += out.len();
-        }
-        self.check(pivots)
-    }
-
-    fn linear_roots(&self, linear: &codegen::Linear) -> Vec<Id> {
+    fn linear_program(&self, linear: &codegen::Linear) -> Program {
         let e = &self.equations;
-        let mut roots = e.state_derivative();
-        roots.extend(linear.a.iter().flatten().chain(linear.b.iter().flatten()).chain(&e.pivots));
-        roots
+        self.program([&e.state_derivative(), &linear.a.concat(), &linear.b.concat()], &self.eliminated())
+    }
+
+    /// Pivots in the order in which the first that fails is at fault.
+    fn eliminated(&self) -> Vec<Id> {
+        self.equations.pivots_as_eliminated().into_iter().map(|(_, pivot)| pivot).collect()
+    }
+
+    /// The coordinate of the pivot at this place of [`InProcess::eliminated`].
+    fn singular(&self, pivot: usize) -> Singular {
+        let free = &self.equations.free;
+        Singular { coordinate: free[free.len() - 1 - pivot] }
     }
 
     /// As [`Model::linearize`], without the slope of regularized Coulomb friction.
@@ -135,8 +143,8 @@ impl InProcess {
     ) -> Result<(), Singular> {
         let e = &self.equations;
         let linear = e.linear_without_friction_slope.as_ref().unwrap_or(&e.linear);
-        let program = self.linear_without_friction_slope.get_or_init(|| self.program(&self.linear_roots(linear)));
-        self.run(program, Arguments { t, x, u, p, a: &[] }, [dx, a, b])
+        let program = self.linear_without_friction_slope.get_or_init(|| self.linear_program(linear));
+        program.run(Arguments { t, x, u, p }, [dx, a, b]).map_err(|k| self.singular(k))
     }
 }
 
@@ -162,45 +170,66 @@ impl Model for InProcess {
     }
 
     fn rhs(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
-        let program = self.rhs.get_or_init(|| {
-            let mut roots = self.equations.state_derivative();
-            roots.extend(&self.equations.pivots);
-            self.program(&roots)
-        });
-        self.run(program, Arguments { t, x, u, p, a: &[] }, [dx])
+        let e = &self.equations;
+        let program = self.rhs.get_or_init(|| self.program([&e.state_derivative(), &[], &[]], &self.eliminated()));
+        program.run(Arguments { t, x, u, p }, [dx, &mut [], &mut []]).map_err(|k| self.singular(k))
     }
 
     fn linearize(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64], a: &mut [f64], b: &mut [f64]) -> Result<(), Singular> {
-        let program = self.linear.get_or_init(|| self.program(&self.linear_roots(&self.equations.linear)));
-        self.run(program, Arguments { t, x, u, p, a: &[] }, [dx, a, b])
+        let program = self.linear.get_or_init(|| self.linear_program(&self.equations.linear));
+        program.run(Arguments { t, x, u, p }, [dx, a, b]).map_err(|k| self.singular(k))
     }
 
     fn parameter_jacobian(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dfdp: &mut [f64]) -> Result<(), Singular> {
         let e = &self.equations;
-        let program = self.parameters.get_or_init(|| {
-            let mut roots = e.parameter_jacobian.concat();
-            roots.extend(&e.pivots);
-            self.program(&roots)
+        let program = self.parameters.get_or_init(|| self.program([&e.parameter_jacobian.concat(), &[], &[]], &self.eliminated()));
+        program.run(Arguments { t, x, u, p }, [dfdp, &mut [], &mut []]).map_err(|k| self.singular(k))
+    }
+
+    fn sensitivities(
+        &self,
+        t: f64,
+        x: &[f64],
+        u: &[f64],
+        p: &[f64],
+        columns: &[usize],
+        dx: &mut [f64],
+        a: &mut [f64],
+        dfdp: &mut [f64],
+        work: &mut [f64],
+    ) -> Result<(), Singular> {
+        let e = &self.equations;
+        let program = self.selections.get(columns, || {
+            let selected: Vec<Id> = e.parameter_jacobian.iter().flat_map(|row| columns.iter().map(|&j| row[j])).collect();
+            self.program([&e.state_derivative(), &e.linear.a.concat(), &selected], &self.eliminated())
         });
-        self.run(program, Arguments { t, x, u, p, a: &[] }, [dfdp])
+        match program {
+            Some(program) => program.run(Arguments { t, x, u, p }, [dx, a, dfdp]).map_err(|k| self.singular(k)),
+            None => runtime::sensitivities_by_parts(self, t, x, u, p, columns, dx, a, dfdp, work),
+        }
+    }
+
+    fn pivots(&self, t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let e = &self.equations;
+        let mut values = vec![0.0; e.pivots.len()];
+        let program = self.pivots.get_or_init(|| self.program([&e.pivots, &[], &[]], &[]));
+        never_singular(program.run(Arguments { t, x, u: &[], p }, [&mut values, &mut [], &mut []]));
+        d.fill(f64::INFINITY);
+        e.free.iter().zip(values).for_each(|(&k, value)| d[k] = value);
+        true
     }
 
     fn outputs(&self, t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
-        self.outputs.get_or_init(|| self.program(&self.equations.outputs)).run(Arguments { t, x, u: &[], p, a: &[] }, y);
+        let program = self.outputs.get_or_init(|| self.program([&self.equations.outputs, &[], &[]], &[]));
+        never_singular(program.run(Arguments { t, x, u: &[], p }, [y, &mut [], &mut []]));
     }
 
     fn output_jacobian(&self, t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let e = &self.equations;
-        let program = self.output_jacobian.get_or_init(|| {
-            let mut roots = e.output_jacobian.concat();
-            roots.extend(e.output_parameter_jacobian.iter().flatten());
-            self.program(&roots)
-        });
-        let mut values = vec![0.0; c.len() + dhdp.len()];
-        program.run(Arguments { t, x, u: &[], p, a: &[] }, &mut values);
-        let (left, right) = values.split_at(c.len());
-        c.copy_from_slice(left);
-        dhdp.copy_from_slice(right);
+        let program = self
+            .output_jacobian
+            .get_or_init(|| self.program([&e.output_jacobian.concat(), &e.output_parameter_jacobian.concat(), &[]], &[]));
+        never_singular(program.run(Arguments { t, x, u: &[], p }, [c, dhdp, &mut []]));
     }
 
     fn input_path(&self, i: usize, p: &[f64]) -> InputPath {
@@ -226,10 +255,15 @@ impl InProcess {
         }
         let program = self.paths.get_or_init(|| {
             let roots: Vec<Id> = e.input_paths.iter().map(|p| p.1).chain(e.output_paths.iter().map(|p| p.0)).collect();
-            self.program(&roots)
+            self.program([&roots, &[], &[]], &[])
         });
         let mut values = vec![0.0; count];
-        program.run(Arguments { t: 0.0, x: &[], u: &[], p, a: &[] }, &mut values);
+        never_singular(program.run(Arguments { t: 0.0, x: &[], u: &[], p }, [&mut values, &mut [], &mut []]));
         values[k]
     }
+}
+
+/// A program without pivots has none that could vanish.
+fn never_singular(result: Result<(), usize>) {
+    debug_assert!(result.is_ok());
 }

@@ -1,6 +1,17 @@
-//! A list of roots as a program over slices: a tape, interpreted.
+//! A list of roots as a program over slices: interpreted while it is new, machine code once it is in use.
+//!
+//! Knows both ways and when to change; holds the scratch memory, so that no call allocates.
 
-use codegen::expr::{Graph, Id, Op, SymbolKind};
+use crate::compile::{NoCode, compile};
+use crate::native::Code;
+use crate::tape::Tape;
+use codegen::expr::{Graph, Id};
+use std::cell::RefCell;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// Result slices of a program.
+pub const RESULTS: usize = 3;
 
 /// Arguments of a program.
 #[derive(Clone, Copy)]
@@ -13,75 +24,108 @@ pub struct Arguments<'a> {
     pub u: &'a [f64],
     /// Parameters.
     pub p: &'a [f64],
-    /// Accelerations.
-    pub a: &'a [f64],
 }
 
-#[derive(Clone, Copy)]
-enum Source {
-    Time,
-    X(usize),
-    U(usize),
-    P(usize),
-    A(usize),
-    Missing,
+/// How a model is evaluated.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Evaluation {
+    /// Interpreted at first, compiled after some calls: right for a single question and for a long run.
+    #[default]
+    Adaptive,
+    /// Compiled at the first call; interpreted only where the machine cannot be given code.
+    Compiled,
+    /// Interpreted always: the reference.
+    Interpreted,
 }
 
-/// A program for a list of roots.
+/// Calls after which a program is compiled. Compiling costs about as much time as this many interpreted calls.
+const WARM: u32 = 400;
+
+/// A program for lists of roots.
 pub struct Program {
-    ops: Vec<Op>,
-    roots: Vec<u32>,
-    sources: Vec<Source>,
+    tape: Tape,
+    evaluation: Evaluation,
+    calls: AtomicU32,
+    code: OnceLock<Result<Code, NoCode>>,
 }
 
 impl Program {
-    /// Program of `roots`; `n` is the number of coordinates.
-    pub fn new(g: &Graph, roots: &[Id], n: usize) -> Self {
-        let tape = g.tape(roots);
-        let sources = g
-            .symbols()
-            .map(|(_, s)| match s.kind {
-                SymbolKind::Time => Source::Time,
-                SymbolKind::Coordinate(i) => Source::X(i),
-                SymbolKind::Rate(i) => Source::X(n + i),
-                SymbolKind::Lag(i) => Source::X(2 * n + i),
-                SymbolKind::Signal(i) => Source::U(i),
-                SymbolKind::Parameter(i) => Source::P(i),
-                SymbolKind::Acceleration(i) => Source::A(i),
-                SymbolKind::Definition(_) | SymbolKind::Inertial(_) => Source::Missing,
-            })
-            .collect();
-        Self { ops: tape.ops, roots: tape.roots, sources }
+    /// Program of `results` and `pivots`; `n` is the number of coordinates.
+    pub fn new(g: &Graph, results: [&[Id]; RESULTS], pivots: &[Id], n: usize, evaluation: Evaluation) -> Self {
+        Self { tape: Tape::new(g, results, pivots, n), evaluation, calls: AtomicU32::new(0), code: OnceLock::new() }
     }
 
-    /// Values of the roots, written to `out`.
-    pub fn run(&self, a: Arguments, out: &mut [f64]) {
-        let mut values = Vec::with_capacity(self.ops.len());
-        for op in &self.ops {
-            let of = |i: u32| -> f64 { values[i as usize] };
-            let value = match *op {
-                Op::Number(x) => x,
-                Op::Symbol(s) => match self.sources[s.index()] {
-                    Source::Time => a.t,
-                    Source::X(i) => a.x[i],
-                    Source::U(i) => a.u[i],
-                    Source::P(i) => a.p[i],
-                    Source::A(i) => a.a[i],
-                    Source::Missing => f64::NAN,
-                },
-                Op::Add(i, j) => of(i) + of(j),
-                Op::Sub(i, j) => of(i) - of(j),
-                Op::Mul(i, j) => of(i) * of(j),
-                Op::Div(i, j) => of(i) / of(j),
-                Op::Neg(i) => -of(i),
-                Op::Powi(i, n) => of(i).powi(n),
-                Op::Call(f, i) => f.apply(of(i)),
-                Op::Call2(f, i, j) => f.apply(of(i), of(j)),
-            };
-            values.push(value);
+    /// Writes the results to `out`.
+    ///
+    /// # Errors
+    /// The place of the first pivot that is not positive; the results are written all the same.
+    ///
+    /// # Panics
+    /// Where a slice is shorter than the program reads, or a result slice has another length than its list.
+    pub fn run(&self, a: Arguments, mut out: [&mut [f64]; RESULTS]) -> Result<(), usize> {
+        let [x, u, p] = self.tape.lengths;
+        assert!(a.x.len() >= x && a.u.len() >= u && a.p.len() >= p, "arguments are too short for this model");
+        for (slice, list) in out.iter().zip(&self.tape.results) {
+            assert_eq!(slice.len(), list.len(), "a result has another length in this model");
         }
-        for (slot, &root) in out.iter_mut().zip(&self.roots) {
-            *slot = values[root as usize];
+        let pivots = self.tape.pivots.len();
+        let first = |scratch: &[f64]| match scratch[..pivots].iter().position(|&d| !(d > 0.0)) {
+            // not `<= 0`: a pivot that is not a number is singular too
+            Some(k) => Err(k),
+            None => Ok(()),
+        };
+        match self.code() {
+            Some(code) => with_scratch(code.scratch(), |scratch| {
+                code.run(a, &mut out, scratch);
+                first(scratch)
+            }),
+            None => with_scratch(pivots + self.tape.steps.len(), |scratch| {
+                let (head, values) = scratch.split_at_mut(pivots);
+                self.tape.interpret(a, &mut out, head, values);
+                first(head)
+            }),
         }
     }
+
+    fn code(&self) -> Option<&Code> {
+        if let Some(code) = self.code.get() {
+            return code.as_ref().ok();
+        }
+        let wanted = match self.evaluation {
+            Evaluation::Interpreted => false,
+            Evaluation::Compiled => true,
+            Evaluation::Adaptive => self.calls.fetch_add(1, Ordering::Relaxed) >= WARM,
+        };
+        if !wanted {
+            return None;
+        }
+        // whatever the reason, the interpreter gives the same numbers
+        self.code.get_or_init(|| compile(&self.tape)).as_ref().ok()
+    }
+
+    /// Why this program is interpreted although it should be compiled by now.
+    pub fn interpreted_because(&self) -> Option<&NoCode> {
+        self.code.get()?.as_ref().err()
+    }
+}
+
+/// Numbers that fit on the stack without being felt.
+const SMALL: usize = 32;
+
+/// Memory of `length` numbers for the time of one call: on the stack, or kept by the thread.
+fn with_scratch<R>(length: usize, run: impl FnOnce(&mut [f64]) -> R) -> R {
+    thread_local! {
+        static SCRATCH: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+    }
+    if length <= SMALL {
+        return run(&mut [0.0; SMALL][..length]);
+    }
+    // taken out, not borrowed: a thread that is shutting down has none, and is given fresh memory
+    let mut kept = SCRATCH.try_with(|s| s.take()).unwrap_or_default();
+    if kept.len() < length {
+        kept.resize(length, 0.0);
+    }
+    let result = run(&mut kept[..length]);
+    let _ = SCRATCH.try_with(|s| s.replace(kept));
+    result
 }

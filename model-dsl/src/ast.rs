@@ -18,6 +18,15 @@ pub struct Expr {
     pub kind: ExprKind,
     /// Place of all of it.
     pub span: Span,
+    /// Levels of the tree; limited by the parser.
+    pub depth: u32,
+}
+
+impl Expr {
+    /// A leaf.
+    pub fn leaf(kind: ExprKind, span: Span) -> Self {
+        Self { kind, span, depth: 1 }
+    }
 }
 
 /// Kinds of expressions.
@@ -77,7 +86,7 @@ pub enum AxisExpr {
 #[derive(Clone, Debug)]
 pub enum Step {
     /// `.rotate(axis, angle)`
-    Rotate(AxisExpr, Expr, Span),
+    Rotate(AxisExpr, Expr),
     /// `.translate(x, y, z)`
     Translate(Vec<Expr>, Span),
 }
@@ -160,6 +169,8 @@ pub enum Kind {
     Trim(Vec<(Name, Option<Name>, Expr)>, Vec<Name>, Vec<(Name, Option<Name>)>),
     /// `assume { .. }`
     Assume(Vec<(Assume, Span)>),
+    /// A statement with an error in it: what it would have declared is known by name only.
+    Broken,
 }
 
 /// Direction of gravity.

@@ -3,6 +3,7 @@
 use crate::rig::Span;
 use crate::source::{Place, Sources};
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use std::collections::HashMap;
 
 /// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -89,8 +90,8 @@ impl Diagnostic {
                     continue;
                 }
                 let kind = if k == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
-                let end = (span.end as usize).min(text.len());
-                let start = (span.start as usize).min(end);
+                let start = text.floor_char_boundary(span.start as usize);
+                let end = text.ceil_char_boundary(span.end as usize).max(start);
                 snippet = snippet.annotation(kind.span(start..end).label(label.as_str()));
             }
             group = group.element(snippet);
@@ -103,9 +104,35 @@ impl Diagnostic {
     }
 }
 
+/// In the order of their places, errors first; one message for a name that is unknown in several places, none twice.
+pub fn tidy(mut all: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    all.sort_by_key(|d| (d.severity, d.labels.first().map(|(s, _)| *s)));
+    all.dedup();
+    let mut first: HashMap<(&'static str, String), usize> = HashMap::new();
+    let mut out: Vec<Diagnostic> = Vec::new();
+    for d in all {
+        if !matches!(d.code, "E0201" | "E0203") {
+            out.push(d);
+            continue;
+        }
+        match first.get(&(d.code, d.message.clone())) {
+            // two more places are shown: a misspelt name is mended in all of them by then
+            Some(&k) if out[k].labels.len() < 3 => out[k].labels.push((d.labels[0].0, "and here".to_owned())),
+            Some(_) => {}
+            None => {
+                first.insert((d.code, d.message.clone()), out.len());
+                out.push(d);
+            }
+        }
+    }
+    out
+}
+
 /// The nearest of `names` to a misspelt one, if any is near.
 pub fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let limit = (name.chars().count() / 3).max(1);
+    // one letter of two says nothing, but capitals do
+    let length = name.chars().count();
+    let limit = if length <= 2 { 0 } else { (length / 3).max(1) };
     names
         .into_iter()
         .filter(|n| *n != name)
@@ -162,17 +189,18 @@ pub const CATALOGUE: &[(&str, &str)] = &[
     ("E0303", "an inertia tensor that no mass distribution has"),
     ("E0304", "a coordinate that moves no inertia"),
     ("E0305", "a coordinate that nothing uses"),
-    ("E0306", "a mass that is negative"),
+    ("E0306", "a mass or kinetic energy that is negative"),
     ("E0307", "equations written directly that do not fit the rig"),
     ("E0308", "a kinetic function that is not quadratic in the rates"),
     ("E0309", "a mix of inputs that cannot be undone"),
-    ("E0310", "bounds, limits or priors that make no sense"),
+    ("E0310", "bounds, limits, priors, times or widths that make no sense"),
     ("E0311", "a trim with more unknowns than equations, or fewer"),
     ("E0312", "an assumption that does not fit the rig"),
-    ("E0313", "an axis of length zero"),
+    ("E0313", "an axis of length zero, or a direction that is not of length one"),
     ("E0314", "a parameter's value cannot be computed"),
     ("W0401", "a parameter that nothing uses"),
     ("W0402", "an input that nothing uses"),
     ("W0403", "a frame that carries nothing"),
+    ("W0404", "an angle without unit of more than a turn"),
     ("N0501", "a parameter that only an assumption made unused"),
 ];

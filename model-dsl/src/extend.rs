@@ -5,7 +5,8 @@ use crate::ast::{Action, File, Removal, RigItem, Statement};
 use crate::diagnostic::{Diagnostic, nearest};
 
 /// Statements of `rig`, base first, with replacements and removals done.
-pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>) -> Vec<Statement> {
+/// `None` where a base is missing: what a rig would have without it means nothing.
+pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Statement>> {
     let mut chain: Vec<&RigItem> = vec![rig];
     while let Some(base) = &chain[chain.len() - 1].extends {
         let Some(found) = find(files, &base.text) else {
@@ -15,15 +16,18 @@ pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>)
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help("bring it in with `use \"file.rig\";`"),
             };
-            diagnostics.push(d);
-            break;
+            // the base may be in a file that could not be read
+            if !diagnostics.iter().any(|d| matches!(d.code, "E0104" | "E0105")) {
+                diagnostics.push(d);
+            }
+            return None;
         };
         if chain.iter().any(|r| r.name.text == found.name.text) {
             diagnostics.push(
                 Diagnostic::error("E0208", format!("`{}` extends itself in a circle", found.name.text), base.span, "closes the circle")
                     .help("a rig can extend only what does not extend it"),
             );
-            break;
+            return None;
         }
         chain.push(found);
     }
@@ -36,7 +40,7 @@ pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>)
             add(&mut statements, statement, diagnostics);
         }
     }
-    statements
+    Some(statements)
 }
 
 /// The rig of this name.

@@ -1,6 +1,6 @@
 //! The rig language: text in, checked rig out.
 //!
-//! One grammar for files, for `rig! { .. }` and for the program. The passes, in order: `token` ->
+//! One grammar for files, for `rig! { .. }` (whose tokens `macro_text` writes out) and for the program. The passes, in order: `token` ->
 //! `parser` -> `extend` -> `resolve` (with `quantity` for expressions and `units`) -> `mechanics`. Each reports all
 //! that it finds; a [`rig::Rig`] comes out only if nothing is wrong. No input makes it panic.
 #![forbid(unsafe_code)]
@@ -8,6 +8,8 @@
 mod ast;
 mod diagnostic;
 mod extend;
+mod macro_text;
+mod mechanics;
 mod parser;
 mod quantity;
 mod resolve;
@@ -17,9 +19,13 @@ mod token;
 pub mod units;
 
 pub use diagnostic::{CATALOGUE, Diagnostic, Severity, nearest};
+pub use macro_text::MacroText;
 pub use source::{FileLoader, Loader, NoFiles, Place, Sources};
 
 use rig::Rig;
+
+/// Deepest chain of files: links in a file system can make circles that names do not show.
+const DEEPEST: usize = 64;
 
 /// Choices of a check.
 #[derive(Clone, Debug, Default)]
@@ -47,6 +53,29 @@ pub fn check(root: &str, loader: &dyn Loader, options: &CheckOptions) -> Checked
     let mut files = Vec::new();
     read(root, None, loader, &mut sources, &mut files, &mut Vec::new(), &mut diagnostics);
     finish(files, sources, diagnostics, options)
+}
+
+/// Checks the tokens of a macro. `name` stands for the Rust file in messages; files that the rig uses are looked up by
+/// the loader as they are written. Spans in file 0 can be taken back to the compiler's by the [`MacroText`].
+#[must_use]
+pub fn check_tokens(name: &str, tokens: proc_macro2::TokenStream, loader: &dyn Loader, options: &CheckOptions) -> (Checked, MacroText) {
+    struct Root<'a> {
+        name: &'a str,
+        text: &'a str,
+        loader: &'a dyn Loader,
+    }
+    impl Loader for Root<'_> {
+        fn load(&self, name: &str) -> Result<Vec<u8>, String> {
+            if name == self.name { Ok(self.text.as_bytes().to_vec()) } else { self.loader.load(name) }
+        }
+        fn beside(&self, from: &str, relative: &str) -> String {
+            if from == self.name { relative.to_owned() } else { self.loader.beside(from, relative) }
+        }
+    }
+    let text = MacroText::new(tokens);
+    let root = Root { name, text: &text.text, loader };
+    let checked = check(name, &root, options);
+    (checked, text)
 }
 
 /// Checks a text that stands alone.
@@ -85,6 +114,10 @@ fn read(
     if sources.files.iter().any(|(n, _)| n == name) {
         return;
     }
+    if chain.len() >= DEEPEST {
+        diagnostics.push(Diagnostic::error("E0105", format!("files use each other more than {DEEPEST} deep"), place, "used here"));
+        return;
+    }
     let bytes = match loader.load(name) {
         Ok(bytes) => bytes,
         Err(why) => {
@@ -99,7 +132,8 @@ fn read(
             let at = e.utf8_error().valid_up_to();
             let text = String::from_utf8_lossy(e.as_bytes()).into_owned();
             sources.files.push((name.to_owned(), text));
-            let span = rig::Span { file, start: at as u32, end: at as u32 + 1 };
+            // the first broken byte became one replacement character
+            let span = rig::Span { file, start: at as u32, end: (at + char::REPLACEMENT_CHARACTER.len_utf8()) as u32 };
             diagnostics.push(
                 Diagnostic::error("E0104", format!("`{name}` is not UTF-8 text"), span, "from here on").help("save the file as UTF-8"),
             );
@@ -130,9 +164,11 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     let mut rig = None;
     match wanted {
         Some(item) => {
-            let statements = extend::flatten(&files, item, &mut diagnostics);
-            let (resolved, _used) = resolve::resolve(&item.name, &item.doc, &statements, &mut diagnostics);
-            rig = Some(resolved);
+            if let Some(statements) = extend::flatten(&files, item, &mut diagnostics) {
+                let (resolved, used) = resolve::resolve(&item.name, &item.doc, &statements, &sources, &mut diagnostics);
+                mechanics::check(&resolved, &statements, &used, &mut diagnostics);
+                rig = Some(resolved);
+            }
         }
         None if diagnostics.is_empty() => {
             let names: Vec<&str> = files.iter().flat_map(|f| &f.rigs).map(|r| r.name.text.as_str()).collect();
@@ -152,8 +188,7 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         rig = None;
     }
-    diagnostics.sort_by_key(|d| (d.severity, d.labels.first().map(|(s, _)| *s)));
-    diagnostics.dedup();
+    let diagnostics = diagnostic::tidy(diagnostics);
     Checked { rig, diagnostics, sources }
 }
 
@@ -166,9 +201,10 @@ pub fn parse_value(text: &str, expected: &units::Unit) -> Result<f64, String> {
     let tokens = token::lex(0, text, &mut diagnostics);
     let expr = parser::parse_expression(&tokens, &mut diagnostics);
     let scope = quantity::Scope::default();
+    let sources = Sources { files: vec![("value".to_owned(), text.to_owned())] };
     let mut used = std::collections::BTreeSet::new();
     let checked = expr.as_ref().and_then(|e| {
-        quantity::Checker { scope: &scope, diagnostics: &mut diagnostics, used: &mut used }.expect(
+        quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.expect(
             e,
             expected.dimension,
             "this",
@@ -193,7 +229,10 @@ pub fn parse_unit(text: &str) -> Result<units::Unit, String> {
     let parsed = parser::parse_unit(&tokens, &mut diagnostics);
     let scope = quantity::Scope::default();
     let mut used = std::collections::BTreeSet::new();
-    let unit = parsed.as_ref().and_then(|u| quantity::Checker { scope: &scope, diagnostics: &mut diagnostics, used: &mut used }.unit(u));
+    let sources = Sources { files: vec![("unit".to_owned(), text.to_owned())] };
+    let unit = parsed
+        .as_ref()
+        .and_then(|u| quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.unit(u));
     match (unit, diagnostics.first()) {
         (Some(unit), None) if unit.factor.is_finite() && unit.factor > 0.0 => Ok(unit),
         (_, Some(d)) => Err(d.message.clone()),

@@ -8,12 +8,13 @@ use crate::ast::{
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::rig::{BinaryOp, EnergyKind, Span};
 use crate::token::{Kind as T, Token};
-use crate::units::Unit;
 
 /// Deepest nesting of expressions.
 const DEPTH: u32 = 64;
 /// Longest sum or product.
 const LENGTH: u32 = 400;
+/// Most levels of an expression's tree: what walks over it is recursive.
+const TREE: u32 = 500;
 
 /// Words that start a statement.
 const STATEMENTS: [&str; 26] = [
@@ -44,6 +45,10 @@ const STATEMENTS: [&str; 26] = [
     "assume",
     "remove",
 ];
+
+/// Words that may stand behind a number; any other word there is taken for a unit.
+const AFTER_VALUES: [&str; 16] =
+    ["fixed", "in", "per", "width", "speed", "zero", "wrapped", "value", "along", "against", "about", "at", "on", "to", "of", "for"];
 
 /// Parses the tokens of one file.
 pub fn parse(tokens: &[Token], diagnostics: &mut Vec<Diagnostic>) -> File {
@@ -144,6 +149,14 @@ impl Parser<'_> {
     }
 
     fn unexpected<X>(&mut self, wanted: &str) -> Parsed<X> {
+        if !matches!(self.peek().kind, T::Bad) {
+            let d = self.expected(wanted);
+            self.diagnostics.push(d);
+        }
+        Err(Reported)
+    }
+
+    fn expected(&self, wanted: &str) -> Diagnostic {
         let token = self.peek().clone();
         let found = match &token.kind {
             T::Ident(w) => format!("`{w}`"),
@@ -151,19 +164,78 @@ impl Parser<'_> {
             T::Text(_) => "a text".to_owned(),
             T::Punct(c, _) => format!("`{c}`"),
             T::Doc(..) => "documentation".to_owned(),
+            T::Bad => "a character without meaning".to_owned(),
             T::End => "the end of the text".to_owned(),
         };
-        self.diagnostics.push(Diagnostic::error(
-            "E0111",
-            format!("expected {wanted}, found {found}"),
-            token.span,
-            format!("expected {wanted} here"),
-        ));
-        Err(Reported)
+        // what is missing at the end of a line is missed there, not on the next line
+        let before = self.previous_end();
+        let span =
+            if token.newline && self.at > 0 && !matches!(token.kind, T::End) { Span { start: before.end, ..before } } else { token.span };
+        let d = Diagnostic::error("E0111", format!("expected {wanted}, found {found}"), span, format!("expected {wanted} here"));
+        if matches!(token.kind, T::Punct('\'', _)) { d.help("rates are written `eps.dot`, accelerations `eps.ddot`") } else { d }
     }
 
     fn expect(&mut self, c: char) -> Parsed<Span> {
-        if self.is(c) { Ok(self.next().span) } else { self.unexpected(&format!("`{c}`")) }
+        if self.is(c) {
+            return Ok(self.next().span);
+        }
+        let here = self.peek().clone();
+        let before = self.previous_end();
+        let end = Span { start: before.end, ..before };
+        if here.kind == T::Bad {
+            return Err(Reported);
+        }
+        if c == ';' && (here.newline || matches!(here.kind, T::Punct('}', _))) && self.at > 0 {
+            // the slip is where the line ends; what follows is read as if the `;` stood there
+            self.diagnostics.push(Diagnostic::error("E0111", "this statement does not end with `;`", end, "expected `;` here"));
+            return Ok(end);
+        }
+        let mut d = self.expected(&format!("`{c}`"));
+        let value = |k: &T| matches!(k, T::Ident(_) | T::Number(..) | T::Punct('(', _));
+        let ends_value = matches!(
+            self.tokens[..self.at].iter().rev().find(|t| !matches!(t.kind, T::Doc(..))).map(|t| &t.kind),
+            Some(T::Ident(_) | T::Number(..) | T::Punct(')', _))
+        );
+        d = match (c, &here.kind) {
+            (':', T::Punct('=', _)) => {
+                d.help("`=` gives a value to parameters, frames and outputs; forces, torques and functions are written with `:`")
+            }
+            ('=', T::Punct(':', _)) => d.help("write `=` in front of a value; `:` stands in front of a unit"),
+            (_, T::Punct('.', _)) if matches!(self.peek_at(1).kind, T::Punct('.', _)) => {
+                d.help("a range stands behind `in`, as in `in 0..4`")
+            }
+            (';' | ')' | ',', k) if ends_value && value(k) => d.help("a product is written with `*`, as in `2 * m_h`"),
+            _ => d,
+        };
+        self.diagnostics.push(d);
+        Err(Reported)
+    }
+
+    /// Whether a block ends here: at its `}`, or, with an error, in front of the statement that follows it.
+    fn closed(&mut self, open: Span) -> bool {
+        if self.eat('}') {
+            return true;
+        }
+        let here = self.peek().clone();
+        let next = &self.peek_at(1).kind;
+        let statement = match &here.kind {
+            T::Ident(word) if here.newline && word == "assume" => matches!(next, T::Punct('{', _)),
+            T::Ident(word) if here.newline && word == "gravity" => !matches!(next, T::Punct(..)),
+            T::Ident(word) if here.newline && word != "inertia" && STATEMENTS.contains(&word.as_str()) => {
+                matches!(next, T::Ident(_) | T::Punct('{', _))
+            }
+            T::End => true,
+            _ => false,
+        };
+        if statement {
+            let label = if here.kind == T::End { "the text ends here" } else { "a new statement starts here" };
+            self.diagnostics.push(
+                Diagnostic::error("E0111", "this block is never closed", open, "opened here")
+                    .also(here.span, label)
+                    .help("close it with `}`"),
+            );
+        }
+        statement
     }
 
     fn expect_word(&mut self, word: &str) -> Parsed<()> {
@@ -211,6 +283,15 @@ impl Parser<'_> {
         }
         let mut depth = depth.max(0);
         loop {
+            let here = self.peek();
+            if here.newline
+                && depth == 0
+                && self.at > start
+                && matches!(&here.kind, T::Ident(w) if STATEMENTS.contains(&w.as_str()))
+                && matches!(self.peek_at(1).kind, T::Ident(_))
+            {
+                return;
+            }
             match self.peek().kind {
                 T::End => return,
                 T::Punct(';', _) if depth == 0 => {
@@ -245,17 +326,30 @@ impl Parser<'_> {
             } else if self.is_word("rig") {
                 self.rig(doc).map(|rig| file.rigs.push(rig))
             } else {
-                self.unexpected("`rig` or `use`")
+                let mut d = self.expected("`rig` or `use`");
+                if !file.rigs.is_empty() {
+                    d = d.help("a rig ends at its last `}`: is there one too many above?");
+                } else if matches!(&self.peek().kind, T::Ident(w) if STATEMENTS.contains(&w.as_str())) {
+                    d = d.help("statements stand in a rig: `rig NAME { .. }`");
+                }
+                self.diagnostics.push(d);
+                Err(Reported)
             };
             if result.is_err() {
-                self.recover(start);
-                self.eat('}');
+                // one message for all that stands outside of rigs
+                self.at = self.at.max(start + 1);
+                while !(self.is_word("rig") || self.is_word("use") || matches!(self.peek().kind, T::End)) {
+                    self.next();
+                }
             }
         }
     }
 
     fn use_item(&mut self) -> Parsed<Name> {
         let token = self.next();
+        if token.kind == T::Bad {
+            return Err(Reported);
+        }
         let T::Text(text) = token.kind else {
             self.diagnostics.push(Diagnostic::error("E0111", "expected a file name in quotes", token.span, "expected \"file.rig\" here"));
             return Err(Reported);
@@ -268,20 +362,72 @@ impl Parser<'_> {
         self.expect_word("rig")?;
         let name = self.name("the rig's name")?;
         let extends = if self.eat_word("extends") { Some(self.name("the name of the rig to extend")?) } else { None };
-        self.expect('{')?;
+        let open = self.expect('{')?;
         let mut rig = RigItem { name, doc, extends, statements: Vec::new(), removals: Vec::new() };
         loop {
             let doc = self.docs();
             if self.eat('}') {
                 return Ok(rig);
             }
-            if matches!(self.peek().kind, T::End) {
-                return self.unexpected("`}` at the end of the rig").or(Ok(rig));
+            let here = self.peek().clone();
+            let next_item = here.newline && (self.is_word("rig") || self.is_word("use"));
+            if here.kind == T::End || next_item {
+                let label = if next_item { "the next one starts here" } else { "the text ends here" };
+                self.diagnostics.push(
+                    Diagnostic::error("E0111", format!("the rig `{}` is never closed", rig.name.text), open, "opened here")
+                        .also(here.span, label)
+                        .help("close it with `}`"),
+                );
+                return Ok(rig);
             }
             let before = self.at;
             if self.statement(doc, &mut rig).is_err() {
                 self.recover(before);
+                self.lost(before, &mut rig);
             }
+        }
+    }
+
+    /// Keeps the names that a statement with an error would have declared, so that their uses are no second error.
+    fn lost(&mut self, start: usize, rig: &mut RigItem) {
+        let tokens: Vec<&Token> = self.tokens[start..self.at].iter().filter(|t| !matches!(t.kind, T::Doc(..))).collect();
+        let word = |k: usize| match tokens.get(k).map(|t| &t.kind) {
+            Some(T::Ident(w)) => Some(w.as_str()),
+            _ => None,
+        };
+        let first = usize::from(word(0) == Some("replace"));
+        let Some(written) = word(first) else { return };
+        let known = STATEMENTS
+            .iter()
+            .find(|s| **s == written)
+            .copied()
+            .or_else(|| nearest(written, STATEMENTS).and_then(|near| STATEMENTS.iter().find(|s| **s == near).copied()));
+        let keyword = known.unwrap_or("param");
+        let named = |k: usize| {
+            tokens.get(k).and_then(|t| if let T::Ident(w) = &t.kind { Some(Name { text: w.clone(), span: t.span }) } else { None })
+        };
+        let names: Vec<Name> = match keyword {
+            "mix" => (first + 1..tokens.len())
+                .filter(|&k| matches!(tokens.get(k + 1).map(|t| &t.kind), Some(T::Punct('=', _))))
+                .filter_map(named)
+                .collect(),
+            "remove" | "gravity" | "assume" => Vec::new(),
+            _ => named(first + 1).into_iter().collect(),
+        };
+        for name in names {
+            let span = name.span;
+            rig.statements.push(Statement { name, keyword, doc: String::new(), action: Action::Add, kind: Kind::Broken, span });
+        }
+        if matches!(keyword, "equation" | "gravity" | "assume") {
+            let span = tokens[0].span;
+            rig.statements.push(Statement {
+                name: Name { text: keyword.to_owned(), span },
+                keyword,
+                doc: String::new(),
+                action: Action::Add,
+                kind: Kind::Broken,
+                span,
+            });
         }
     }
 
@@ -382,9 +528,9 @@ impl Parser<'_> {
                 let name = self.name("the body's name")?;
                 self.expect_word("on")?;
                 let frame = self.name("a frame")?;
-                self.expect('{')?;
+                let open = self.expect('{')?;
                 let mut entries = Vec::new();
-                while !self.eat('}') {
+                while !self.closed(open) {
                     entries.push(self.body_entry()?);
                 }
                 self.eat(';');
@@ -421,9 +567,9 @@ impl Parser<'_> {
                 (name, Kind::Actuator(unit, map, path))
             }
             "mix" => {
-                self.expect('{')?;
+                let open = self.expect('{')?;
                 let mut rows = Vec::new();
-                while !self.eat('}') {
+                while !self.closed(open) {
                     let name = self.name("a new input's name")?;
                     self.expect('=')?;
                     rows.push((name, self.expr()?));
@@ -467,8 +613,7 @@ impl Parser<'_> {
             }
             "friction" => {
                 let name = self.name("a coordinate, or a name and `on`")?;
-                let of =
-                    if self.eat_word("on") { self.expr()? } else { Expr { span: name.span, kind: ExprKind::Name(name.clone(), None) } };
+                let of = if self.eat_word("on") { self.expr()? } else { Expr::leaf(ExprKind::Name(name.clone(), None), name.span) };
                 let entries = self.block()?;
                 (name, Kind::Friction(of, entries))
             }
@@ -514,9 +659,9 @@ impl Parser<'_> {
                 (name, self.trim()?)
             }
             _ => {
-                self.expect('{')?;
+                let open = self.expect('{')?;
                 let mut list = Vec::new();
-                while !self.eat('}') {
+                while !self.closed(open) {
                     let start = self.peek().span;
                     let assumption = self.assumption()?;
                     list.push((assumption, self.from(start)));
@@ -528,9 +673,9 @@ impl Parser<'_> {
     }
 
     fn trim(&mut self) -> Parsed<Kind> {
-        self.expect('{')?;
+        let open = self.expect('{')?;
         let (mut fixed, mut zero, mut solve) = (Vec::new(), Vec::new(), Vec::new());
-        while !self.eat('}') {
+        while !self.closed(open) {
             if self.is_word("zero") && !matches!(self.peek_at(1).kind, T::Punct('=' | '.', _)) {
                 self.next();
                 zero.extend(self.names("a coordinate whose acceleration vanishes")?);
@@ -649,7 +794,7 @@ impl Parser<'_> {
                 return Err(Reported);
             }
             while entries.len() < 6 {
-                entries.push(Expr { kind: ExprKind::Number(0.0, None), span });
+                entries.push(Expr::leaf(ExprKind::Number(0.0, None), span));
             }
             let mut origin = false;
             if self.eat_word("about") {
@@ -676,9 +821,9 @@ impl Parser<'_> {
     }
 
     fn block(&mut self) -> Parsed<Vec<Entry>> {
-        self.expect('{')?;
+        let open = self.expect('{')?;
         let mut entries = Vec::new();
-        while !self.eat('}') {
+        while !self.closed(open) {
             let key = self.name("an entry")?;
             let mut values = vec![self.expr()?];
             if self.is_range() {
@@ -730,7 +875,7 @@ impl Parser<'_> {
                 self.expect(',')?;
                 let angle = self.expr()?;
                 self.expect(')')?;
-                Ok(Step::Rotate(axis, angle, self.from(name.span)))
+                Ok(Step::Rotate(axis, angle))
             }
             "translate" => {
                 let (components, _) = self.vector()?;
@@ -774,8 +919,13 @@ impl Parser<'_> {
             Some(index) => Ok(AxisExpr::Principal(index, negative)),
             None => {
                 self.diagnostics.push(
-                    Diagnostic::error("E0111", format!("`{}` is no axis", name.text), name.span, "expected an axis")
-                        .help("axes are x, y, z, -x, -y, -z or (a, b, c)"),
+                    Diagnostic::error(
+                        "E0111",
+                        format!("`{}` is no axis", name.text),
+                        name.span,
+                        if ["X", "Y", "Z"].contains(&name.text.as_str()) { "axes are written small" } else { "expected an axis" },
+                    )
+                    .help("axes are x, y, z, -x, -y, -z or (a, b, c)"),
                 );
                 Err(Reported)
             }
@@ -948,6 +1098,18 @@ impl Parser<'_> {
         Err(Reported)
     }
 
+    fn binary(&mut self, op: BinaryOp, a: Expr, b: Expr) -> Parsed<Expr> {
+        let expr = binary(op, a, b);
+        if expr.depth > TREE {
+            self.diagnostics.push(
+                Diagnostic::error("E0113", format!("an expression of more than {TREE} levels"), expr.span, "too deep")
+                    .help("name parts of it with `derived` or `lump`"),
+            );
+            return Err(Reported);
+        }
+        Ok(expr)
+    }
+
     fn sum(&mut self) -> Parsed<Expr> {
         let mut left = self.product()?;
         let mut terms = 0;
@@ -964,7 +1126,7 @@ impl Parser<'_> {
             };
             self.next();
             let right = self.product()?;
-            left = binary(op, left, right);
+            left = self.binary(op, left, right)?;
             terms += 1;
             self.limit(terms)?;
         }
@@ -982,8 +1144,15 @@ impl Parser<'_> {
                 return Ok(left);
             };
             self.next();
+            if op == BinaryOp::Mul && self.is('*') {
+                let span = self.peek().span;
+                let span = Span { start: span.start.saturating_sub(1), ..span };
+                self.diagnostics
+                    .push(Diagnostic::error("E0111", "there is no operator `**`", span, "here").help("a power is written `x^2`"));
+                return Err(Reported);
+            }
             let right = self.unary()?;
-            left = binary(op, left, right);
+            left = self.binary(op, left, right)?;
             factors += 1;
             self.limit(factors)?;
         }
@@ -994,12 +1163,12 @@ impl Parser<'_> {
             let start = self.next().span;
             let inner = self.nested(Self::unary)?;
             let span = Span { end: inner.span.end, ..start };
-            return Ok(Expr { kind: ExprKind::Neg(Box::new(inner)), span });
+            return Ok(Expr { depth: inner.depth + 1, kind: ExprKind::Neg(Box::new(inner)), span });
         }
         let base = self.primary()?;
         if self.eat('^') {
             let exponent = self.nested(Self::unary)?;
-            return Ok(binary(BinaryOp::Pow, base, exponent));
+            return self.binary(BinaryOp::Pow, base, exponent);
         }
         Ok(base)
     }
@@ -1010,14 +1179,15 @@ impl Parser<'_> {
             T::Number(x, suffix) => {
                 self.next();
                 let unit = self.literal_unit(&token.span, suffix)?;
-                Ok(Expr { kind: ExprKind::Number(x, unit), span: self.from(token.span) })
+                Ok(Expr::leaf(ExprKind::Number(x, unit), self.from(token.span)))
             }
             T::Ident(text) => {
                 self.next();
                 let name = Name { text, span: token.span };
                 if self.is('(') {
                     let (args, _) = self.nested(Self::vector)?;
-                    return Ok(Expr { kind: ExprKind::Call(name, args), span: self.from(token.span) });
+                    let depth = 1 + args.iter().map(|a| a.depth).max().unwrap_or(0);
+                    return Ok(Expr { kind: ExprKind::Call(name, args), span: self.from(token.span), depth });
                 }
                 let suffix = if self.is('.') && !self.is_range() {
                     self.next();
@@ -1025,13 +1195,13 @@ impl Parser<'_> {
                 } else {
                     None
                 };
-                Ok(Expr { kind: ExprKind::Name(name, suffix), span: self.from(token.span) })
+                Ok(Expr::leaf(ExprKind::Name(name, suffix), self.from(token.span)))
             }
             T::Punct('(', _) => {
                 self.next();
                 let inner = self.expr()?;
                 self.expect(')')?;
-                Ok(Expr { kind: inner.kind, span: self.from(token.span) })
+                Ok(Expr { span: self.from(token.span), ..inner })
             }
             _ => self.unexpected("a number, a name or `(`"),
         }
@@ -1057,7 +1227,9 @@ impl Parser<'_> {
                     span: token.span,
                 }))
             }
-            T::Ident(word) if Unit::named(&word).is_some() && !matches!(self.peek_at(1).kind, T::Punct('(' | '=', _)) => {
+            T::Ident(word)
+                if !token.newline && !AFTER_VALUES.contains(&word.as_str()) && !matches!(self.peek_at(1).kind, T::Punct('(' | '=', _)) =>
+            {
                 self.next();
                 Ok(Some(UnitExpr { text: word.clone(), factors: vec![(Name { text: word, span: token.span }, 1)], span: token.span }))
             }
@@ -1068,5 +1240,5 @@ impl Parser<'_> {
 
 fn binary(op: BinaryOp, a: Expr, b: Expr) -> Expr {
     let span = Span { file: a.span.file, start: a.span.start, end: b.span.end };
-    Expr { kind: ExprKind::Binary(op, Box::new(a), Box::new(b)), span }
+    Expr { depth: 1 + a.depth.max(b.depth), kind: ExprKind::Binary(op, Box::new(a), Box::new(b)), span }
 }

@@ -278,6 +278,8 @@ pub enum InertiaPoint {
 pub struct Gravity {
     /// Acceleration of free fall in ground [m/s^2], e.g. (0, 0, -g).
     pub acceleration: [Expr; 3],
+    /// The direction as written, where it is a vector in parentheses; checked to have length one.
+    pub direction: Option<[Expr; 3]>,
     /// Where it was declared.
     pub span: Span,
 }

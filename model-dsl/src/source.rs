@@ -13,10 +13,25 @@ pub trait Loader {
     /// Name of a file that `from` names by `relative`.
     fn beside(&self, from: &str, relative: &str) -> String {
         match from.rfind(['/', '\\']) {
-            Some(cut) if !relative.starts_with('/') => format!("{}/{relative}", from.get(..cut).unwrap_or("")),
-            _ => relative.to_owned(),
+            Some(cut) if !relative.starts_with('/') => straight(&format!("{}/{relative}", from.get(..cut).unwrap_or(""))),
+            _ => straight(relative),
         }
     }
+}
+
+/// A path without `a/..` and `./` in it, so that one file has one name.
+fn straight(path: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in path.split('/') {
+        match part {
+            "." => {}
+            ".." if parts.last().is_some_and(|p| !p.is_empty() && *p != "..") => {
+                parts.pop();
+            }
+            _ => parts.push(part),
+        }
+    }
+    parts.join("/")
 }
 
 /// Reads from the file system.
@@ -59,6 +74,12 @@ pub struct Place {
 }
 
 impl Sources {
+    /// The text of a span.
+    #[must_use]
+    pub fn text(&self, span: Span) -> Option<&str> {
+        self.files.get(span.file as usize)?.1.get(span.start as usize..span.end as usize)
+    }
+
     /// Line and column of the start of a span.
     #[must_use]
     pub fn place(&self, span: Span) -> Option<Place> {

@@ -16,6 +16,8 @@ pub enum Kind {
     Punct(char, bool),
     /// `/// text`, or (true) a comment behind a statement on the same line.
     Doc(String, bool),
+    /// Something that was reported by the lexer: the parser says nothing more about it.
+    Bad,
     /// End of the source.
     End,
 }
@@ -27,11 +29,13 @@ pub struct Token {
     pub kind: Kind,
     /// Where it is.
     pub span: Span,
+    /// First on its line.
+    pub newline: bool,
 }
 
 /// Lexes text. Errors are reported, and lexing goes on.
 pub fn lex(file: u32, text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Token> {
-    let mut lexer = Lexer { file, text, at: 0, tokens: Vec::new(), diagnostics };
+    let mut lexer = Lexer { file, text, at: 0, tokens: Vec::new(), newline: true, diagnostics };
     lexer.run();
     lexer.tokens
 }
@@ -41,6 +45,7 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     tokens: Vec<Token>,
+    newline: bool,
     diagnostics: &'a mut Vec<Diagnostic>,
 }
 
@@ -59,7 +64,9 @@ impl Lexer<'_> {
 
     fn push(&mut self, kind: Kind, start: usize) {
         let span = self.span(start);
-        self.tokens.push(Token { kind, span });
+        // documentation at the end of a line does not hide the break behind it
+        let newline = std::mem::replace(&mut self.newline, false);
+        self.tokens.push(Token { kind, span, newline });
     }
 
     fn take_while(&mut self, accept: impl Fn(char) -> bool) -> &str {
@@ -77,6 +84,7 @@ impl Lexer<'_> {
         while let Some(c) = self.peek() {
             let start = self.at;
             if c.is_whitespace() || c == '\u{feff}' {
+                self.newline |= c == '\n';
                 self.at += c.len_utf8();
             } else if self.rest().starts_with("//") {
                 self.comment();
@@ -84,7 +92,8 @@ impl Lexer<'_> {
                 match self.rest().find("*/") {
                     Some(length) => self.at += length + 2,
                     None => {
-                        self.at = self.text.len();
+                        // the rest of the line is lost, so that what follows is no second error
+                        self.take_while(|c| c != '\n');
                         let span = Span { file: self.file, start: start as u32, end: start as u32 + 2 };
                         self.diagnostics.push(
                             Diagnostic::error("E0103", "this comment is never closed", span, "opened here").help("close it with `*/`"),
@@ -92,7 +101,7 @@ impl Lexer<'_> {
                     }
                 }
             } else if c.is_alphabetic() || c == '_' {
-                let word = self.take_while(|c| c.is_alphanumeric() || c == '_').to_owned();
+                let word = self.take_while(in_word).to_owned();
                 self.push(Kind::Ident(word), start);
             } else if c.is_ascii_digit() {
                 self.number();
@@ -100,19 +109,33 @@ impl Lexer<'_> {
                 self.string();
             } else if c.is_ascii_punctuation() {
                 self.at += 1;
-                let joint = self.peek().is_some_and(|n| n.is_ascii_punctuation());
+                // by Rust's rule: touches another operator, not a bracket, a quote or a comment
+                let comment = self.rest().starts_with("//") || self.rest().starts_with("/*");
+                let joint = !comment && self.peek().is_some_and(|n| "=<>!~+-*/%^&|@.,;:#$?'".contains(n));
                 self.push(Kind::Punct(c, joint), start);
             } else {
                 self.at += c.len_utf8();
+                let help = match c {
+                    '·' | '×' | '∙' | '⋅' => "a product is written with `*`",
+                    '−' | '–' | '—' => "a minus sign is `-`",
+                    '²' => "a square is written `^2`",
+                    '³' => "a cube is written `^3`",
+                    '°' => "degrees are written `5deg`",
+                    '÷' => "a quotient is written with `/`",
+                    '“' | '”' | '„' | '«' | '»' => "a text stands between `\"` and `\"`",
+                    '‘' | '’' | '′' => "rates are written `eps.dot`, accelerations `eps.ddot`",
+                    '±' => "a prior is written with `+-`",
+                    _ => "the language uses letters, digits, `_` and ASCII punctuation; any text may stand in comments",
+                };
                 let span = self.span(start);
-                self.diagnostics.push(
-                    Diagnostic::error("E0101", format!("the character `{}` has no meaning here", c.escape_debug()), span, "this character")
-                        .help("the language uses letters, digits, `_` and ASCII punctuation; text may stand in comments"),
-                );
+                let d =
+                    Diagnostic::error("E0101", format!("the character `{}` has no meaning here", c.escape_debug()), span, "this character");
+                self.diagnostics.push(d.help(help));
+                self.push(Kind::Bad, start);
             }
         }
         let end = self.text.len();
-        self.tokens.push(Token { kind: Kind::End, span: Span { file: self.file, start: end as u32, end: end as u32 } });
+        self.tokens.push(Token { kind: Kind::End, span: Span { file: self.file, start: end as u32, end: end as u32 }, newline: true });
     }
 
     fn comment(&mut self) {
@@ -147,7 +170,7 @@ impl Lexer<'_> {
             }
         }
         let digits: String = self.text.get(start..self.at).unwrap_or("0").replace('_', "");
-        let suffix = self.take_while(|c| c.is_alphanumeric() || c == '_').to_owned();
+        let suffix = self.take_while(in_word).to_owned();
         let value = digits.parse::<f64>().unwrap_or(f64::NAN);
         if !value.is_finite() {
             let span = self.span(start);
@@ -170,101 +193,18 @@ impl Lexer<'_> {
             self.diagnostics.push(
                 Diagnostic::error("E0103", "this text is never closed", span, "opened here").help("close it with `\"` on the same line"),
             );
+            self.push(Kind::Bad, start);
+            return;
         }
         self.push(Kind::Text(text), start);
     }
 }
 
+/// Continues a name: letters, ASCII digits, `_`.
+fn in_word(c: char) -> bool {
+    c.is_alphabetic() || c.is_ascii_digit() || c == '_'
+}
+
 fn shorten(digits: &str) -> String {
     if digits.chars().count() > 24 { format!("{}..", digits.chars().take(20).collect::<String>()) } else { digits.to_owned() }
-}
-
-/// Tokens of a macro; spans number the tokens: token k of the flattened stream is bytes k..k+1 of file 0.
-pub fn from_macro(stream: proc_macro2::TokenStream, spans: &mut Vec<proc_macro2::Span>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Token> {
-    let mut tokens = Vec::new();
-    flatten(stream, &mut tokens, spans, diagnostics);
-    let end = spans.len() as u32;
-    tokens.push(Token { kind: Kind::End, span: Span { file: 0, start: end, end } });
-    tokens
-}
-
-fn flatten(
-    stream: proc_macro2::TokenStream,
-    tokens: &mut Vec<Token>,
-    spans: &mut Vec<proc_macro2::Span>,
-    diagnostics: &mut Vec<Diagnostic>,
-) {
-    use proc_macro2::{Delimiter, Spacing, TokenTree};
-    let mut trees = stream.into_iter().peekable();
-    while let Some(tree) = trees.next() {
-        let mut push = |kind: Kind, span: proc_macro2::Span| {
-            let at = spans.len() as u32;
-            spans.push(span);
-            tokens.push(Token { kind, span: Span { file: 0, start: at, end: at + 1 } });
-        };
-        match tree {
-            TokenTree::Ident(ident) => {
-                let text = ident.to_string();
-                push(Kind::Ident(text.strip_prefix("r#").unwrap_or(&text).to_owned()), ident.span());
-            }
-            TokenTree::Punct(punct) => {
-                // `/// text` reaches a macro as `#[doc = "text"]`
-                if punct.as_char() == '#'
-                    && let Some(TokenTree::Group(group)) = trees.peek()
-                    && let Some(text) = doc_text(&group.stream())
-                {
-                    let span = group.span();
-                    trees.next();
-                    push(Kind::Doc(text, false), span);
-                    continue;
-                }
-                push(Kind::Punct(punct.as_char(), punct.spacing() == Spacing::Joint), punct.span());
-            }
-            TokenTree::Literal(literal) => {
-                let text = literal.to_string();
-                let mut found = Vec::new();
-                let inner = lex(0, &text, &mut found);
-                match inner.first().map(|t| &t.kind) {
-                    Some(kind @ (Kind::Number(..) | Kind::Text(_))) if found.is_empty() => push(kind.clone(), literal.span()),
-                    _ => {
-                        push(Kind::Number(0.0, String::new()), literal.span());
-                        let at = spans.len() as u32 - 1;
-                        let span = Span { file: 0, start: at, end: at + 1 };
-                        diagnostics.push(Diagnostic::error(
-                            "E0102",
-                            format!("`{}` is no number of this language", shorten(&text)),
-                            span,
-                            "this literal",
-                        ));
-                    }
-                }
-            }
-            TokenTree::Group(group) => {
-                let (open, close) = match group.delimiter() {
-                    Delimiter::Parenthesis => ('(', ')'),
-                    Delimiter::Brace => ('{', '}'),
-                    Delimiter::Bracket => ('[', ']'),
-                    Delimiter::None => {
-                        flatten(group.stream(), tokens, spans, diagnostics);
-                        continue;
-                    }
-                };
-                push(Kind::Punct(open, false), group.span_open());
-                flatten(group.stream(), tokens, spans, diagnostics);
-                let at = spans.len() as u32;
-                spans.push(group.span_close());
-                tokens.push(Token { kind: Kind::Punct(close, false), span: Span { file: 0, start: at, end: at + 1 } });
-            }
-        }
-    }
-}
-
-fn doc_text(stream: &proc_macro2::TokenStream) -> Option<String> {
-    let mut trees = stream.clone().into_iter();
-    let (first, _, third) = (trees.next()?, trees.next()?, trees.next()?);
-    if first.to_string() != "doc" {
-        return None;
-    }
-    let text = third.to_string();
-    Some(text.trim_matches('"').trim().to_owned())
 }

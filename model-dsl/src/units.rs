@@ -192,3 +192,54 @@ fn prefixable(name: &str) -> Option<(f64, [i16; 6])> {
         _ => return None,
     })
 }
+
+/// What was probably meant by a word that is no unit: another name, or a product without `*`.
+#[must_use]
+pub fn meant(word: &str) -> Option<String> {
+    let plain = match word.to_lowercase().trim_end_matches('s') {
+        "radian" => "rad",
+        "degree" | "grad" => "deg",
+        "newton" => "N",
+        "meter" | "metre" => "m",
+        "second" | "sec" => "s",
+        "gram" => "g",
+        "kilogram" | "kgram" | "kilo" => "kg",
+        "volt" => "V",
+        "ampere" | "amp" => "A",
+        "hertz" => "Hz",
+        "joule" => "J",
+        "watt" => "W",
+        "millisecond" | "msec" => "ms",
+        "millimeter" | "millimetre" => "mm",
+        "minute" => "min",
+        "hour" => "h",
+        "revolution" => "turn",
+        "kelvin" => "K",
+        "in" | "inche" => "inch",
+        _ => "",
+    };
+    if !plain.is_empty() {
+        return Some(plain.to_owned());
+    }
+    // Nms, Nm: each letter or two a unit
+    let letters: Vec<char> = word.chars().collect();
+    if (2..=5).contains(&letters.len()) {
+        return product(&letters).filter(|p| p.len() > 1).map(|p| p.join("*"));
+    }
+    None
+}
+
+fn product(letters: &[char]) -> Option<Vec<String>> {
+    if letters.is_empty() {
+        return Some(Vec::new());
+    }
+    for length in [2, 1] {
+        let Some((head, rest)) = letters.split_at_checked(length) else { continue };
+        let name: String = head.iter().collect();
+        let simple = ["N", "m", "s", "kg", "A", "V", "W", "J", "K"].contains(&name.as_str());
+        if simple && let Some(rest) = product(rest) {
+            return Some([vec![name], rest].concat());
+        }
+    }
+    None
+}

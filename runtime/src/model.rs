@@ -144,20 +144,12 @@ pub trait Model: Sync {
         dfdp: &mut [f64],
         work: &mut [f64],
     ) -> Result<(), Singular> {
-        let d = self.dimensions();
-        let (b, all) = work.split_at_mut(d.states() * d.signals());
-        self.linearize(t, x, u, p, dx, a, b)?;
-        if columns.is_empty() {
-            return Ok(());
-        }
-        let all = &mut all[..d.states() * d.parameters];
-        self.parameter_jacobian(t, x, u, p, all)?;
-        for (to, from) in dfdp.chunks_exact_mut(columns.len()).zip(all.chunks_exact(d.parameters)) {
-            for (to, &j) in to.iter_mut().zip(columns) {
-                *to = from[j];
-            }
-        }
-        Ok(())
+        sensitivities_by_parts(self, t, x, u, p, columns, dx, a, dfdp, work)
+    }
+    /// Pivots D of the mass matrix M = L^T D L, one a coordinate (infinite where a coordinate is prescribed), written to
+    /// `d`; false where the model does not give them. Pivot k vanishes where coordinate k moves no inertia.
+    fn pivots(&self, _t: f64, _x: &[f64], _p: &[f64], _d: &mut [f64]) -> bool {
+        false
     }
     /// y = h(t, x, p), without delay and quantization.
     fn outputs(&self, t: f64, x: &[f64], p: &[f64], y: &mut [f64]);
@@ -167,4 +159,37 @@ pub trait Model: Sync {
     fn input_path(&self, i: usize, p: &[f64]) -> InputPath;
     /// How output i leaves.
     fn output_path(&self, i: usize, p: &[f64]) -> OutputPath;
+}
+
+/// [`Model::sensitivities`] from [`Model::linearize`] and [`Model::parameter_jacobian`].
+///
+/// # Errors
+/// [`Singular`] where the mass matrix is not positive definite.
+#[allow(clippy::too_many_arguments)]
+pub fn sensitivities_by_parts<M: Model + ?Sized>(
+    model: &M,
+    t: f64,
+    x: &[f64],
+    u: &[f64],
+    p: &[f64],
+    columns: &[usize],
+    dx: &mut [f64],
+    a: &mut [f64],
+    dfdp: &mut [f64],
+    work: &mut [f64],
+) -> Result<(), Singular> {
+    let d = model.dimensions();
+    let (b, all) = work.split_at_mut(d.states() * d.signals());
+    model.linearize(t, x, u, p, dx, a, b)?;
+    if columns.is_empty() {
+        return Ok(());
+    }
+    let all = &mut all[..d.states() * d.parameters];
+    model.parameter_jacobian(t, x, u, p, all)?;
+    for (to, from) in dfdp.chunks_exact_mut(columns.len()).zip(all.chunks_exact(d.parameters)) {
+        for (to, &j) in to.iter_mut().zip(columns) {
+            *to = from[j];
+        }
+    }
+    Ok(())
 }

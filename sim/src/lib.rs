@@ -16,6 +16,7 @@ mod status;
 mod tableau;
 
 pub use error::SimError;
+pub use integrate::Method;
 pub use output_path::encoder;
 pub use sensitivity::{Forward, Pattern};
 pub use signals::{Hold, Signal, Signals};

@@ -91,7 +91,9 @@ impl Signals {
     /// Equal consecutive samples make one piece; a switch lies exactly on a border.
     pub(crate) fn segments(&self, paths: &[Path], from: f64, to: f64) -> Vec<Segment> {
         let lines: Vec<Vec<Knot>> = self.0.iter().zip(paths).map(|(signal, path)| knots(signal, *path)).collect();
-        let mut borders: Vec<f64> = lines.iter().flatten().map(|k| k.t).filter(|&t| t > from && t < to).collect();
+        // a signal holds its first value before its first knot: that knot is a border only if a slope begins there
+        let mut borders: Vec<f64> =
+            lines.iter().flat_map(|line| &line[usize::from(line[0].slope == 0.0)..]).map(|k| k.t).filter(|&t| t > from && t < to).collect();
         borders.sort_by(f64::total_cmp);
         borders.push(to);
         // borders closer than rounding of the time stamps are one

@@ -1,7 +1,7 @@
 //! A whole run: signals through the input path, the differential equation, outputs through the output path.
 
 use crate::error::SimError;
-use crate::integrate::{Control, Fault, Integrator, Stop};
+use crate::integrate::{Control, Fault, Integrator, Method, Stop};
 use crate::output_path::encoder;
 use crate::signals::{Path, Signals, check_times};
 use crate::status::Status;
@@ -16,13 +16,15 @@ pub struct Options {
     pub absolute: f64,
     /// Steps after which a run is given up, rejected ones included.
     pub max_steps: usize,
+    /// Which method integrates.
+    pub method: Method,
     /// Show outputs as their encoders do: in counts, and wrapped where they are.
     pub encoders: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { relative: 1e-9, absolute: 1e-10, max_steps: 1_000_000, encoders: false }
+        Self { relative: 1e-10, absolute: 1e-12, max_steps: 1_000_000, method: Method::Auto, encoders: false }
     }
 }
 
@@ -111,21 +113,24 @@ pub fn simulate(
     let mut states = x0.to_vec();
     let mut x = x0.to_vec();
     let control = Control { relative: options.relative, absolute: options.absolute, max_steps: options.max_steps };
-    let mut integrator = Integrator { model, p, control, h: 0.0, steps: 0 };
+    let mut integrator = Integrator { model, p, control, method: options.method, h: 0.0, steps: 0, stiff: 0 };
     let mut status = Status::Completed;
     for segment in signals.segments(&paths, start, end) {
-        if !(segment.to > segment.from) {
-            continue;
-        }
         let from = grid.partition_point(|&t| t <= segment.from);
         let to = grid.partition_point(|&t| t <= segment.to);
         let ended = integrator.run(&segment, &mut x, &grid[from..to], &mut |_, x| states.extend_from_slice(x));
         if let Err((t, stop)) = ended {
-            status = match stop {
-                Stop::Fault(Fault::Singular(i)) => Status::Singular { coordinate: names.state(i).to_owned(), t },
-                Stop::Fault(Fault::NotFinite(i)) => Status::NotFinite { state: names.state(i).to_owned(), t },
-                Stop::Collapsed => Status::StepCollapsed { t },
-                Stop::TooManySteps => Status::TooManySteps { t, steps: integrator.steps },
+            status = match (stop, vanished(model, p, (start, x0), (t, &x))) {
+                (Stop::TooManySteps, _) => Status::TooManySteps { t, steps: integrator.steps },
+                (Stop::Fault(Fault::Singular(i)), _) | (_, Some(i)) => Status::Singular { coordinate: names.state(i).to_owned(), t },
+                (Stop::Fault(Fault::NotFinite(i)), _) => Status::NotFinite { state: names.state(i).to_owned(), t },
+                (Stop::Collapsed | Stop::Stiff, _) => {
+                    match (0..n).filter(|&i| x[i].abs() > f64::MAX.sqrt()).max_by(|&i, &j| x[i].abs().total_cmp(&x[j].abs())) {
+                        // error norms square the states
+                        Some(i) => Status::NotFinite { state: names.state(i).to_owned(), t },
+                        None => Status::StepCollapsed { t },
+                    }
+                }
             };
             break;
         }
@@ -159,6 +164,17 @@ pub fn simulate(
         }
     }
     Ok(out)
+}
+
+/// The coordinate whose pivot of the mass matrix has all but vanished between the beginning and the end of a run. On the
+/// way to a singular mass matrix accelerations grow without bound, so that steps collapse before the pivot is zero.
+fn vanished(model: &dyn Model, p: &[f64], begin: (f64, &[f64]), end: (f64, &[f64])) -> Option<usize> {
+    const VANISHED: f64 = 1e-6;
+    let n = model.dimensions().coordinates;
+    let (mut before, mut after) = (vec![0.0; n], vec![0.0; n]);
+    let known = model.pivots(begin.0, begin.1, p, &mut before) && model.pivots(end.0, end.1, p, &mut after);
+    // a pivot that vanishes spoils those of earlier coordinates
+    (0..n).rev().filter(|_| known).find(|&k| after[k] < VANISHED * before[k])
 }
 
 /// Lengths and finiteness of what every kind of run takes.

@@ -1,6 +1,10 @@
 //! Shared pieces of the cross-crate checks: where things lie, repeatable random numbers, random rigs.
 
+pub mod bench_rig;
+pub mod calls;
 pub mod close;
+#[rustfmt::skip]
+pub mod named;
 pub mod random;
 pub mod random_rig;
 pub mod trims;
@@ -22,11 +26,12 @@ pub fn example_rigs() -> Vec<PathBuf> {
 /// All rigs that CasADi derives too, in order (the folders of `cargo xtask oracle`).
 #[must_use]
 pub fn oracle_rigs() -> Vec<PathBuf> {
-    ["examples/rigs", "tests/rigs/golden", "tests/rigs/pass"].iter().flat_map(|folder| rigs_in(folder)).collect()
+    ["examples/rigs", "tests/rigs/pass"].iter().flat_map(|folder| rigs_in(folder)).collect()
 }
 
 /// Rig files of a folder of the project, by name, in order; none where there is no such folder.
-fn rigs_in(folder: &str) -> Vec<PathBuf> {
+#[must_use]
+pub fn rigs_in(folder: &str) -> Vec<PathBuf> {
     let mut paths: Vec<PathBuf> = std::fs::read_dir(root().join(folder))
         .map(|entries| entries.flatten().map(|e| e.path()).filter(|p| p.extension().is_some_and(|x| x == "rig")).collect())
         .unwrap_or_default();

@@ -19,3 +19,18 @@ fn every_example_rig_derives() {
         );
     }
 }
+
+/// A rig to copy has nothing that its checks remark upon, a title, and a source or an explanation.
+#[test]
+fn every_example_rig_is_tidy() {
+    for path in example_rigs() {
+        let checked = model_dsl::check(&path.display().to_string(), &model_dsl::FileLoader, &model_dsl::CheckOptions::default());
+        let shown: Vec<String> = checked.diagnostics.iter().map(|d| d.render(&checked.sources, false)).collect();
+        assert!(shown.is_empty(), "{}:\n{}", path.display(), shown.join("\n"));
+        let rig = checked.rig.unwrap_or_else(|| panic!("{}", path.display()));
+        assert!(rig.doc.lines().count() >= 3, "{}: a title and some lines about it", path.display());
+        for line in std::fs::read_to_string(&path).unwrap_or_default().lines() {
+            assert!(line.chars().count() <= 150 && line.trim_end() == line, "{}: {line}", path.display());
+        }
+    }
+}

@@ -74,8 +74,8 @@ fn sensitivities_are_the_derivatives_of_the_trajectory() {
     model.nominal(&mut p);
     let t: Vec<f64> = (0..200).map(|k| 0.01 * f64::from(k)).collect();
     for (hold, step, method) in [
-        (Hold::Zero, 0.05, FixedMethod::DormandPrince),
-        (Hold::First, 0.05, FixedMethod::DormandPrince),
+        (Hold::Zero, 0.0125, FixedMethod::DormandPrince),
+        (Hold::First, 0.0125, FixedMethod::DormandPrince),
         (Hold::Zero, 0.005, FixedMethod::Classical),
     ] {
         let stamps: Vec<f64> = (0..9).map(|k| 0.25 * f64::from(k)).collect();

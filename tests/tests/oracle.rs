@@ -4,7 +4,8 @@
 use codegen::emit::{declared, declared_fingerprint};
 use codegen::expr::{Id, SymbolKind};
 use codegen::{Equations, Options, derive};
-use control::{TrimProblem, Unknown};
+use control::{TrimError, TrimProblem, Unknown};
+use cross_checks::close::by_rows;
 use cross_checks::trims::problem;
 use cross_checks::{oracle_rigs, rig_of, root};
 use jit::InProcess;
@@ -15,10 +16,8 @@ use std::path::Path;
 
 /// Largest difference allowed. Both sides round at 1e-16; what is left for conditioning is five decades.
 const TOLERANCE: f64 = 1e-10;
-/// An entry is compared relative to itself, and to no less than this part of the largest entry of its row (of its
-/// vector), and a row's largest entry counts as no less than this part of the matrix's: what cancels to zero on one side
-/// is rounding of the larger terms on the other.
-const SMALL: f64 = 1e-3;
+/// Trims that have no solution, on purpose.
+const REFUSED: [&str; 1] = ["assumed_twice, trim balance"];
 
 /// A quantity: its name in the oracle's file, its entries row by row, its columns.
 struct Quantity {
@@ -60,21 +59,6 @@ fn flat(value: &Value) -> Vec<f64> {
     }
 }
 
-/// Largest relative difference of a quantity, row by row.
-fn difference(ours: &[f64], theirs: &[f64], columns: usize) -> f64 {
-    assert_eq!(ours.len(), theirs.len(), "lengths differ");
-    let size = |list: &[f64]| list.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let mut worst = 0.0_f64;
-    for (a, b) in ours.chunks(columns.max(1)).zip(theirs.chunks(columns.max(1))) {
-        let largest = size(b).max(SMALL * size(theirs));
-        for (x, y) in a.iter().zip(b) {
-            let d = if x == y { 0.0 } else { (x - y).abs() / y.abs().max(SMALL * largest) };
-            worst = if d.is_nan() { f64::INFINITY } else { worst.max(d) };
-        }
-    }
-    worst
-}
-
 /// Values of roots at a state of the oracle's file.
 fn evaluate(e: &Equations, roots: &[Id], state: &Value, p: &[f64]) -> Vec<f64> {
     let (x, u) = (flat(&state["x"]), flat(&state["u"]));
@@ -109,7 +93,7 @@ fn differences(e: &Equations, oracle: &Value) -> Vec<(&'static str, usize, f64)>
             // equations written directly have no energies on either side
             let ours = evaluate(e, &quantity.roots, state, &p);
             let theirs = flat(&state[quantity.name]);
-            out.push((quantity.name, k, difference(&ours, &theirs, quantity.columns)));
+            out.push((quantity.name, k, by_rows(&ours, &theirs, quantity.columns)));
         }
     }
     out
@@ -162,15 +146,27 @@ fn every_trim_agrees_with_casadi() {
         let model = InProcess::new(derived(&rig, &name));
         for (trim, theirs) in rig.trims.iter().zip(trims) {
             let label = format!("{name}, trim {}", trim.name);
-            assert_eq!(theirs["name"], Value::from(trim.name.as_str()));
+            assert_eq!(theirs["name"], trim.name.as_str());
             let residual = theirs["residual"].as_f64().unwrap_or(f64::NAN);
             let problem: TrimProblem = problem(&rig, &model, trim, &p);
             let ours = control::solve(&model, &p, &problem);
-            assert!(residual < 1e-9, "{label}: the oracle finds no operating point, {residual:e} remains; ours: {ours:?}");
+            if residual > 1e-6 {
+                assert!(
+                    matches!(ours, Err(TrimError::NoConvergence { .. })),
+                    "{label}: the oracle finds no operating point, ours: {ours:?}"
+                );
+                assert!(
+                    REFUSED.contains(&label.as_str()),
+                    "{label}: there is no such operating point; mend the rig, or list it as refused"
+                );
+                println!("{label}: refused by both");
+                continue;
+            }
+            assert!(residual < 1e-9, "{label}: the oracle's residual is {residual:e}");
             // A and B at the oracle's operating point
             for quantity in list.iter().filter(|q| ["A", "B"].contains(&q.name)) {
                 let ours = evaluate(&e, &quantity.roots, theirs, &p);
-                let d = difference(&ours, &flat(&theirs[quantity.name]), quantity.columns);
+                let d = by_rows(&ours, &flat(&theirs[quantity.name]), quantity.columns);
                 assert!(d <= TOLERANCE, "{label}: {} differs by {d:.1e}", quantity.name);
             }
             // our own operating point

@@ -4,7 +4,7 @@ use crate::args::{Linearize, Point};
 use crate::failure::Failure;
 use crate::load::{self, Loaded, unknown};
 use crate::operating::{self, Found};
-use crate::output::{Answer, number, poles_in_words, prime};
+use crate::output::{Answer, number, poles_in_words, prime, table};
 use codegen::{Options, direction_by_name};
 use control::{LinearModel, LinearizeError};
 use jit::InProcess;
@@ -49,7 +49,7 @@ pub fn run(args: &Linearize) -> Result<Answer, Failure> {
             text.push('\n');
         }
         text.push_str(&linear.found.words(&loaded, layout));
-        text.push_str(&table(&linear.model, &states, &inputs.names, layout.q.len()));
+        text.push_str(&rows_of_rates(&linear.model, &states, &inputs.names, layout.q.len()));
         let _ = writeln!(text, "poles: {}", poles_in_words(&linear.model.poles));
         for (i, j, value) in &linear.dropped {
             let _ = writeln!(text, "left out: the slope of regularized friction, {} at A[{}, {}] (--friction-slope keeps it)", number(*value), prime(states[*i]), prime(states[*j]));
@@ -140,36 +140,11 @@ fn sweep_values(text: &str) -> Result<Vec<String>, Failure> {
 }
 
 /// Rows of the accelerations and actuator states; columns states | inputs.
-fn table(model: &LinearModel, states: &[&str], inputs: &[String], n: usize) -> String {
-    let rows: Vec<usize> = (n..states.len()).collect();
+fn rows_of_rates(model: &LinearModel, states: &[&str], inputs: &[String], n: usize) -> String {
     let head = |i: usize| if i < 2 * n { format!("{}''", states[i - n]) } else { prime(&format!("{}.dot", states[i])) };
-    let mut cells: Vec<Vec<String>> = vec![std::iter::once(String::new()).chain(states.iter().map(|s| prime(s))).chain(inputs.iter().cloned()).collect()];
-    for &i in &rows {
-        let mut row = vec![head(i)];
-        row.extend(model.a.row(i).iter().map(|x| number4(*x)));
-        row.extend(model.b.row(i).iter().map(|x| number4(*x)));
-        cells.push(row);
-    }
-    let widths: Vec<usize> = (0..cells[0].len()).map(|c| cells.iter().map(|r| r[c].chars().count()).max().unwrap_or(0)).collect();
-    let mut text = String::from("\n");
-    for row in &cells {
-        for (c, cell) in row.iter().enumerate() {
-            if c == states.len() + 1 {
-                text.push_str("  |");
-            }
-            let pad = " ".repeat(widths[c] - cell.chars().count());
-            let _ = if c == 0 { write!(text, "  {cell}{pad}") } else { write!(text, "  {pad}{cell}") };
-        }
-        text.push('\n');
-    }
-    text
-}
-
-fn number4(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    if (1e-3..1e5).contains(&x.abs()) { format!("{x:.4}") } else { format!("{x:.3e}") }
+    let columns: Vec<String> = states.iter().map(|s| prime(s)).chain(inputs.iter().cloned()).collect();
+    let rows: Vec<(String, Vec<f64>)> = (n..states.len()).map(|i| (head(i), model.a.row(i).iter().chain(model.b.row(i).iter()).copied().collect())).collect();
+    format!("\n{}", table(&columns, &rows, states.len()))
 }
 
 fn document(loaded: &Loaded, model: &InProcess, linear: &Linearized, states: &[&str]) -> Value {

@@ -1,8 +1,16 @@
 //! One file a subcommand.
 
 mod check;
+mod compare;
+mod demo;
+mod diff;
 mod eval;
+mod export;
+mod generate;
 mod linearize;
+mod lqr;
+mod show;
+mod simulate;
 mod trim;
 
 use crate::args::{Arguments, Command};
@@ -14,9 +22,17 @@ use codegen::{CrossCheck, Equations};
 pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
     match arguments.command {
         Command::Check(a) => check::run(&a),
+        Command::Show(a) => show::run(&a),
         Command::Eval(a) => eval::run(&a),
+        Command::Diff(a) => diff::run(&a),
+        Command::Demo(a) => demo::run(&a),
+        Command::Generate(a) => generate::run(&a),
+        Command::Export(a) => export::run(&a),
         Command::Trim(a) => trim::run(&a),
         Command::Linearize(a) => linearize::run(&a),
+        Command::Lqr(a) => lqr::run(&a),
+        Command::Simulate(a) => simulate::run(&a),
+        Command::Compare(a) => compare::run(&a),
     }
 }
 

@@ -7,27 +7,31 @@ use crate::lower::Lowering;
 use crate::mechanics::bodies::per_link;
 use crate::mechanics::newton_euler::{inertial_wrenches, project};
 use crate::mechanics::tree::Tree;
-use crate::mechanics::{forces, friction, lagrange, stored};
-use model_dsl::rig::{AssumptionKind, Rig};
+use crate::mechanics::{direct, forces, friction, lagrange, stored};
+use model_dsl::rig::{AssumptionKind, EnergyKind, Rig};
+use std::collections::BTreeSet;
 
 /// Applies the rig's assumptions. Where one changes M, velocity products, gravity or a named term, the
 /// direct use of the tree in forward dynamics ends: the parts are what counts.
+///
+/// First it is gathered what each row loses, so that a term that two assumptions drop is dropped once.
 pub fn apply(rig: &Rig, lowering: &Lowering, g: &mut Graph, mut parts: Parts, wanted: bool) -> Parts {
     if !wanted || rig.assumptions.is_empty() {
         return parts;
     }
     let mut kinds: Vec<&AssumptionKind> = rig.assumptions.iter().map(|a| &a.kind).collect();
     kinds.sort_by_key(|kind| rank(kind));
-    let tree = Tree::new(rig, lowering, g);
-    let mut changed = false;
-    for kind in kinds {
-        parts.assumptions.push(in_words(rig, kind));
-        if !matches!(kind, AssumptionKind::Set { .. } | AssumptionKind::NeglectFriction { .. }) {
-            changed = true;
-        }
-        apply_one(rig, lowering, g, &tree, &mut parts, kind);
+    parts.assumptions = kinds.iter().map(|kind| in_words(rig, kind)).collect();
+    let losses: Vec<Losses> = (0..rig.coordinates.len()).map(|row| Losses::of_row(&kinds, row)).collect();
+    let context = Context { rig, lowering, tree: Tree::new(rig, lowering, g), losses };
+    context.mass_matrix(g, &mut parts);
+    context.bias(g, &mut parts);
+    context.dissipation(g, &mut parts);
+    context.force(g, &mut parts);
+    for kind in &kinds {
+        replace_inertia(rig, lowering, g, &mut parts, kind);
     }
-    if changed {
+    if kinds.iter().any(|kind| !matches!(kind, AssumptionKind::Set { .. } | AssumptionKind::NeglectFriction { .. })) {
         parts.body_road = None;
         parts.bias = (0..rig.coordinates.len())
             .map(|i| {
@@ -52,89 +56,132 @@ fn rank(kind: &AssumptionKind) -> usize {
     }
 }
 
-fn apply_one(rig: &Rig, lowering: &Lowering, g: &mut Graph, tree: &Tree, parts: &mut Parts, kind: &AssumptionKind) {
-    let zero = g.zero();
-    let all: Vec<usize> = (0..rig.coordinates.len()).collect();
-    let chosen = |rows: &Option<Vec<usize>>| rows.clone().unwrap_or_else(|| all.clone());
-    let minus = |g: &mut Graph, from: &mut [Id], what: &[Id], rows: &[usize]| {
-        for &i in rows {
-            from[i] = g.sub(from[i], what[i]);
+/// What one row loses.
+#[derive(Default)]
+struct Losses {
+    coriolis: bool,
+    gravity: bool,
+    friction: bool,
+    /// Bodies whose gravity it loses.
+    bodies: BTreeSet<usize>,
+    /// Named forces, springs, dampers, frictions and functions.
+    terms: BTreeSet<String>,
+}
+
+impl Losses {
+    fn of_row(kinds: &[&AssumptionKind], row: usize) -> Self {
+        let covers = |rows: &Option<Vec<usize>>| rows.as_ref().is_none_or(|r| r.contains(&row));
+        let mut out = Self::default();
+        for kind in kinds {
+            match kind {
+                AssumptionKind::NeglectCoriolis { rows } if covers(rows) => out.coriolis = true,
+                AssumptionKind::NeglectGravity { bodies: None, rows } if covers(rows) => out.gravity = true,
+                AssumptionKind::NeglectGravity { bodies: Some(bodies), rows } if covers(rows) => out.bodies.extend(bodies),
+                AssumptionKind::NeglectFriction { rows } if covers(rows) => out.friction = true,
+                AssumptionKind::NeglectTerm { name, rows } if covers(rows) => {
+                    out.terms.insert(name.clone());
+                }
+                _ => {}
+            }
         }
-    };
-    match kind {
-        AssumptionKind::Set { .. } => {}
-        AssumptionKind::NeglectCoriolis { rows } => {
+        out
+    }
+}
+
+struct Context<'a> {
+    rig: &'a Rig,
+    lowering: &'a Lowering,
+    tree: Tree,
+    losses: Vec<Losses>,
+}
+
+impl Context<'_> {
+    /// M without the kinetic functions that either row loses.
+    fn mass_matrix(&self, g: &mut Graph, parts: &mut Parts) {
+        for i in 0..self.losses.len() {
+            for j in 0..self.losses.len() {
+                let lost: BTreeSet<&String> = self.losses[i].terms.union(&self.losses[j].terms).collect();
+                if self.rig.functions.iter().any(|f| f.kind == EnergyKind::Kinetic && lost.contains(&f.name)) {
+                    let energy = stored::kinetic_functions(self.rig, self.lowering, g, |n| lost.iter().any(|l| *l == n));
+                    let dropped = lagrange::from_kinetic_energy(g, energy, self.lowering);
+                    parts.mass_matrix[i][j] = g.sub(parts.mass_matrix[i][j], dropped.mass_matrix[i][j]);
+                }
+            }
+        }
+    }
+
+    /// Velocity products, gravity, springs and potentials.
+    fn bias(&self, g: &mut Graph, parts: &mut Parts) {
+        let zero = g.zero();
+        for (i, lost) in self.losses.iter().enumerate() {
             if let Some(coriolis) = &mut parts.coriolis {
-                for i in chosen(rows) {
+                if lost.coriolis {
                     coriolis[i] = zero;
+                } else if !lost.terms.is_empty() {
+                    let energy = stored::kinetic_functions(self.rig, self.lowering, g, |n| lost.terms.contains(n));
+                    let dropped = lagrange::from_kinetic_energy(g, energy, self.lowering).coriolis[i];
+                    coriolis[i] = g.sub(coriolis[i], dropped);
                 }
             }
-        }
-        AssumptionKind::NeglectGravity { bodies: None, rows } => {
-            for i in chosen(rows) {
+            if lost.gravity {
                 parts.gravity[i] = zero;
+            } else if !lost.bodies.is_empty() {
+                parts.gravity[i] = self.gravity(g, &lost.bodies)[i];
+            }
+            if !lost.terms.is_empty() {
+                let energy = stored::spring_potential(self.rig, &self.tree, self.lowering, g, |n| !lost.terms.contains(n));
+                parts.springs[i] = lagrange::from_potential(g, energy, self.lowering)[i];
             }
         }
-        AssumptionKind::NeglectGravity { bodies: Some(bodies), rows } => {
-            let inertia = per_link(rig, tree, lowering, g, |k| !bodies.contains(&k));
-            let still = vec![zero; rig.coordinates.len()];
-            let rest = vec![[zero; 3]; tree.links.len()];
-            let fall = stored::free_fall(rig, lowering, g);
-            let wrenches = inertial_wrenches(tree, g, &inertia, &rest, &still, &still, fall);
-            let kept = project(tree, g, &wrenches);
-            for i in chosen(rows) {
-                parts.gravity[i] = kept[i];
+    }
+
+    /// Gravity of all bodies but some.
+    fn gravity(&self, g: &mut Graph, without: &BTreeSet<usize>) -> Vec<Id> {
+        let zero = g.zero();
+        let inertia = per_link(self.rig, &self.tree, self.lowering, g, |k| !without.contains(&k));
+        let still = vec![zero; self.losses.len()];
+        let rest = vec![[zero; 3]; self.tree.links.len()];
+        let fall = stored::free_fall(self.rig, self.lowering, g);
+        let wrenches = inertial_wrenches(&self.tree, g, &inertia, &rest, &still, &still, fall);
+        project(&self.tree, g, &wrenches, "_kept")
+    }
+
+    fn dissipation(&self, g: &mut Graph, parts: &mut Parts) {
+        for (i, lost) in self.losses.iter().enumerate() {
+            if lost.friction {
+                parts.dissipation[i] = g.zero();
+            } else if !lost.terms.is_empty() {
+                // what equations written directly hold has no name
+                let written =
+                    if self.rig.equations.is_empty() { g.zero() } else { direct::take_apart(self.rig, self.lowering, g).dissipation[i] };
+                let kept = friction::dissipation(self.rig, &self.tree, self.lowering, g, |n| !lost.terms.contains(n))[i];
+                parts.dissipation[i] = g.add(written, kept);
             }
         }
-        AssumptionKind::NeglectFriction { rows } => {
-            for i in chosen(rows) {
-                parts.dissipation[i] = zero;
+    }
+
+    fn force(&self, g: &mut Graph, parts: &mut Parts) {
+        for (i, lost) in self.losses.iter().enumerate() {
+            if self.rig.forces.iter().any(|f| lost.terms.contains(&f.name)) {
+                let written =
+                    if self.rig.equations.is_empty() { g.zero() } else { direct::take_apart(self.rig, self.lowering, g).force[i] };
+                let kept = forces::generalized(self.rig, &self.tree, self.lowering, g, |f| !lost.terms.contains(&f.name))[i];
+                parts.force[i] = g.add(written, kept);
             }
         }
-        AssumptionKind::NeglectTerm { name, rows } => {
-            let rows = chosen(rows);
-            if rig.forces.iter().any(|f| f.name == *name) {
-                let dropped = forces::generalized(rig, tree, lowering, g, |f| f.name == *name);
-                if rows.len() == all.len() {
-                    // derive again without it: cleaner than a difference
-                    let named: Vec<String> = rig
-                        .assumptions
-                        .iter()
-                        .filter_map(|a| match &a.kind {
-                            AssumptionKind::NeglectTerm { name, rows: None } => Some(name.clone()),
-                            _ => None,
-                        })
-                        .collect();
-                    parts.force = forces::generalized(rig, tree, lowering, g, |f| !named.contains(&f.name));
-                } else {
-                    minus(g, &mut parts.force, &dropped, &rows);
-                }
-            }
-            let energy = stored::spring_potential(rig, tree, lowering, g, |n| n == name);
-            let springs = lagrange::from_potential(g, energy, lowering);
-            minus(g, &mut parts.springs, &springs, &rows);
-            let losses = friction::dissipation(rig, tree, lowering, g, |n| n == name);
-            minus(g, &mut parts.dissipation, &losses, &rows);
-            let moving = stored::kinetic_functions(rig, lowering, g, |n| n == name);
-            let moving = lagrange::from_kinetic_energy(g, moving, lowering);
-            if let Some(coriolis) = &mut parts.coriolis {
-                minus(g, coriolis, &moving.coriolis, &rows);
-            }
-            for &i in &rows {
-                for j in 0..all.len() {
-                    parts.mass_matrix[i][j] = g.sub(parts.mass_matrix[i][j], moving.mass_matrix[i][j]);
-                    if !rows.contains(&j) {
-                        parts.mass_matrix[j][i] = g.sub(parts.mass_matrix[j][i], moving.mass_matrix[j][i]);
-                    }
-                }
-            }
-        }
+    }
+}
+
+/// Entries of M, then all of M.
+fn replace_inertia(rig: &Rig, lowering: &Lowering, g: &mut Graph, parts: &mut Parts, kind: &AssumptionKind) {
+    let zero = g.zero();
+    match kind {
         AssumptionKind::NeglectInertia { row, column } => {
             parts.mass_matrix[*row][*column] = zero;
             parts.mass_matrix[*column][*row] = zero;
         }
         AssumptionKind::InertiaDiagonal(entries) => {
-            let free: Vec<usize> = all.iter().copied().filter(|&i| !rig.coordinates[i].prescribed).collect();
+            let free: Vec<usize> = (0..rig.coordinates.len()).filter(|&i| !rig.coordinates[i].prescribed).collect();
             for (k, &i) in free.iter().enumerate() {
                 for &j in &free {
                     parts.mass_matrix[i][j] = zero;
@@ -145,6 +192,7 @@ fn apply_one(rig: &Rig, lowering: &Lowering, g: &mut Graph, tree: &Tree, parts: 
             }
             parts.kinetic = None;
         }
+        _ => {}
     }
 }
 

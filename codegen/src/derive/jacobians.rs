@@ -1,4 +1,4 @@
-//! Forward dynamics by L D L^T, and every Jacobian by the implicit formula
+//! Forward dynamics by L^T D L, and every Jacobian by the implicit formula
 //! d a / d x = -M^-1 d(ID)/dx, ID = M a + bias + dissipation - Q, reusing the factor.
 
 use super::parts::Parts;
@@ -7,7 +7,7 @@ use crate::equations::{CrossCheck, Equations, Layout, Linear};
 use crate::expr::{Derivative, F1, Graph, Id, Node, SymbolId};
 use crate::lower::Lowering;
 use crate::mechanics::solve::{Factor, factor};
-use model_dsl::rig::Rig;
+use model_dsl::rig::{ForceKind, FrameRef, Rig};
 
 /// Completes the equations from the parts.
 pub fn complete(
@@ -24,6 +24,12 @@ pub fn complete(
     let free: Vec<usize> = (0..n).filter(|&i| !rig.coordinates[i].prescribed).collect();
     let names: Vec<String> = free.iter().map(|&i| rig.coordinates[i].name.clone()).collect();
 
+    for (what, values) in [("g", &parts.gravity), ("h", &parts.bias), ("d", &parts.dissipation), ("Q", &parts.force)] {
+        for (c, &value) in rig.coordinates.iter().zip(values) {
+            g.label(value, format!("{what}_{}", c.name));
+        }
+    }
+
     // forward dynamics: M_FF a_F = -(M_FS a_S + bias + dissipation - Q)_F
     let zero = g.zero();
     let given: Vec<Id> = lowering.prescribed.iter().map(|p| p.unwrap_or(zero)).collect();
@@ -38,6 +44,7 @@ pub fn complete(
     for (name, &r) in names.iter().zip(&right) {
         g.label(r, format!("tau_{name}"));
     }
+    let symmetric = rig.equations.is_empty() || (0..m.len()).all(|i| (0..i).all(|j| m[i][j] == m[j][i]));
     let factored = factor(g, &m, &names);
     let solved = factored.solve(g, &right);
     let mut acceleration = given;
@@ -57,6 +64,7 @@ pub fn complete(
 
     let lag_rates = lowering.lag_rates(rig, g);
     let outputs = outputs(rig, lowering, g);
+    g.set_scope("input_map");
     let input_map = g.jacobian(&parts.force, &lowering.u, Derivative::Exact);
     let x: Vec<SymbolId> = layout.x().map(|v| v.symbol).collect();
 
@@ -148,6 +156,7 @@ pub fn complete(
         input_paths,
         output_paths,
         assumptions: parts.assumptions,
+        scopes: scopes(rig),
         cross_check,
         hash,
         graph,
@@ -159,12 +168,15 @@ fn residual(rig: &Rig, lowering: &Lowering, g: &mut Graph, parts: &Parts, accele
     let mut total = match &parts.body_road {
         Some(road) => {
             let mut total = road.residual(rig, lowering, g, acceleration);
+            g.set_scope("balance");
             for (value, &spring) in total.iter_mut().zip(&parts.springs) {
                 *value = g.add(*value, spring);
             }
             total
         }
-        None => (0..parts.bias.len())
+        None => {
+            g.set_scope("balance");
+            (0..parts.bias.len())
             .map(|i| {
                 let mut value = parts.bias[i];
                 for (j, &a) in acceleration.iter().enumerate() {
@@ -173,12 +185,48 @@ fn residual(rig: &Rig, lowering: &Lowering, g: &mut Graph, parts: &Parts, accele
                 }
                 g.sub(value, parts.force[i])
             })
-            .collect(),
+            .collect()
+        }
     };
     for (value, &d) in total.iter_mut().zip(&parts.dissipation) {
         *value = g.add(*value, d);
     }
     total
+}
+
+/// What frames, bodies and forces are, for comments in emitted code.
+fn scopes(rig: &Rig) -> Vec<(String, String)> {
+    let frame = |f: FrameRef| match f {
+        FrameRef::Ground => "ground".to_owned(),
+        FrameRef::Frame(i) => rig.frames[i].name.clone(),
+    };
+    let with_doc = |words: String, doc: &str| match doc.lines().next().filter(|d| !d.is_empty()) {
+        Some(doc) => format!("{words}: {doc}"),
+        None => words,
+    };
+    let mut scopes = Vec::new();
+    for f in &rig.frames {
+        let words = with_doc(format!("frame {} on {}", f.name, frame(f.parent)), &f.doc);
+        scopes.extend((1..f.steps.len()).map(|k| (format!("{}_{k}", f.name), words.clone())));
+        scopes.push((f.name.clone(), words));
+    }
+    for b in &rig.bodies {
+        scopes.push((b.name.clone(), with_doc(format!("body {} on {}", b.name, frame(b.frame)), &b.doc)));
+    }
+    for f in &rig.forces {
+        let words = match &f.kind {
+            ForceKind::Force { frame: on, .. } => format!("force {} on {}", f.name, frame(*on)),
+            ForceKind::Torque { frame: on, .. } => format!("torque {} on {}", f.name, frame(*on)),
+            ForceKind::Generalized { coordinate, .. } => format!("torque {} on {}", f.name, rig.coordinates[*coordinate].name),
+        };
+        scopes.push((f.name.clone(), with_doc(words, &f.doc)));
+    }
+    scopes.extend(rig.frictions.iter().map(|f| (format!("friction_{}", f.name), format!("friction of {}", f.name))));
+    scopes.extend(rig.springs.iter().map(|s| (s.name.clone(), format!("spring {}", s.name))));
+    scopes.extend(rig.dampers.iter().map(|d| (d.name.clone(), format!("damper {}", d.name))));
+    scopes.extend(rig.functions.iter().map(|f| (f.name.clone(), format!("{} energy {}", format!("{:?}", f.kind).to_lowercase(), f.name))));
+    scopes.extend(rig.equations.iter().map(|q| &rig.coordinates[q.coordinate].name).map(|name| (name.clone(), format!("equation of {name}"))));
+    scopes
 }
 
 /// y = scale * value + bias, an encoder's zero subtracted.
@@ -241,6 +289,7 @@ impl Implicit<'_> {
             slopes.extend(g.differentiate(&roots, s, mode));
         }
         let solution = self.acceleration;
+        g.set_scope("slopes");
         let slopes = g.substitute(&slopes, |s| a.iter().position(|&x| x == s).map(|i| solution[i]));
         for (j, &s) in symbols.iter().enumerate() {
             let what = g.symbol_info(s).name.replace('.', "_");
@@ -249,13 +298,20 @@ impl Implicit<'_> {
                 out[k][j] = g.one();
             }
             let mut column: Vec<Id> = slopes[j * roots.len()..(j + 1) * roots.len()].to_vec();
-            // a prescribed acceleration enters the free rows through M as well: its symbol stands in ID as `a`
-            if let Some(i) = self.lowering.prescribed.iter().position(|p| p.is_some_and(|id| g.symbol_of(id) == Some(s))) {
+            // a prescribed acceleration (a signal, or a trajectory over parameters) enters the free rows through M: its
+            // symbol stands in ID as `a`
+            for (i, given) in self.lowering.prescribed.iter().enumerate() {
+                let Some(given) = *given else { continue };
+                let slope = g.differentiate(&[given], s, mode)[0];
+                if g.is_zero(slope) {
+                    continue;
+                }
+                out[n + i][j] = slope;
                 let through = g.differentiate(&roots, a[i], mode);
                 for (value, part) in column.iter_mut().zip(through) {
+                    let part = g.mul(part, slope);
                     *value = g.add(*value, part);
                 }
-                out[n + i][j] = g.one();
             }
             let right: Vec<Id> = column.iter().map(|&d| g.neg(d)).collect();
             let solved = self.factored.solve(g, &right);

@@ -157,7 +157,7 @@ impl Node {
 pub struct Graph {
     pub(super) nodes: IndexSet<Node, FxBuildHasher>,
     pub(super) symbols: IndexSet<SymbolInfo, FxBuildHasher>,
-    labels: IndexMap<Id, String, FxBuildHasher>,
+    labels: IndexMap<Id, (String, bool), FxBuildHasher>,
     scope: String,
     scopes: Vec<u32>,
     scope_names: IndexSet<String, FxBuildHasher>,
@@ -242,17 +242,23 @@ impl Graph {
             return;
         }
         // the label goes with the value without its sign, since signs move through rewrites
-        let id = match self.node(id) {
-            Node::Neg(a) if !self.node(a).is_leaf() => a,
-            _ => id,
+        let (id, negative) = match self.node(id) {
+            Node::Neg(a) if !self.node(a).is_leaf() => (a, true),
+            _ => (id, false),
         };
-        self.labels.entry(id).or_insert_with(|| name.into());
+        self.labels.entry(id).or_insert_with(|| (name.into(), negative));
     }
 
     /// Name given to a node.
     #[must_use]
     pub fn label_of(&self, id: Id) -> Option<&str> {
-        self.labels.get(&id).map(String::as_str)
+        self.labels.get(&id).map(|l| l.0.as_str())
+    }
+
+    /// The name of [`Graph::label_of`] was given to the negative of this node.
+    #[must_use]
+    pub fn label_is_of_negative(&self, id: Id) -> bool {
+        self.labels.get(&id).is_some_and(|l| l.1)
     }
 
     /// Sets what the nodes made from now on are about (`heli`, `M`, `force on heli`).

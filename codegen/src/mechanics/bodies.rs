@@ -84,6 +84,7 @@ pub fn per_link(rig: &Rig, tree: &Tree, lowering: &Lowering, g: &mut Graph, take
         {
             g.set_scope(body.name.clone());
             let inertia = about_origin(body, lowering, g);
+            g.set_scope(tree.links[link].name.clone());
             carried[link] = carried[link].plus(g, &inertia);
         }
     }

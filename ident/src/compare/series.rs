@@ -43,7 +43,7 @@ pub fn fit_percent(measured: &[f64], simulated: &[f64]) -> Option<f64> {
     let spread = measured.iter().map(|y| (y - mean).powi(2)).sum::<f64>().sqrt();
     let size = measured.iter().fold(0.0_f64, |m, y| m.max(y.abs()));
     // the mean of equal numbers differs from them by rounding
-    if n < 2 || !(spread > 1e-14 * size * (n as f64).sqrt()) {
+    if n < 2 || spread <= 1e-14 * size * (n as f64).sqrt() {
         return None;
     }
     let error = measured.iter().zip(simulated).map(|(y, s)| (y - s).powi(2)).sum::<f64>().sqrt();

@@ -36,7 +36,8 @@ pub struct InitialValue {
     pub state: String,
     /// Value (SI).
     pub value: f64,
-    /// What the first samples say, with its standard error; `None` where it was no prior.
+    /// What the first samples say, with its standard error; `None` where it was no prior. For a rate this is the slope of
+    /// the line over the first 0.2 s, which the model's must meet, not the rate at the first sample.
     pub prior: Option<(f64, f64)>,
     /// It was fitted.
     pub free: bool,

@@ -150,7 +150,7 @@ pub(crate) fn assemble<'a>(
                 0 => (data.start, states(data, options)),
                 _ => (Start::Free, InitialStates { coordinates: Known::Free, rates: Known::Free }),
             };
-            let InitialEstimate { x, unknowns: mut at_start } = estimate(model, &base, data, range, start, how);
+            let InitialEstimate { x, unknowns: mut at_start, slopes } = estimate(model, &base, data, range, start, how);
             if k > 0 {
                 at_start = (0..d.states())
                     .map(|state| {
@@ -173,7 +173,7 @@ pub(crate) fn assemble<'a>(
             let times = &data.times[range.0..=range.1];
             let forward = Forward::new(model, &data.signals, times, &data.outputs, &parameters, at_start.len(), patterns[r])?;
             let continued = k + 2 < cuts.len();
-            pieces.push(Piece { data, record: r, range, forward, columns: local, x0: x, continued, weights: weights.clone() });
+            pieces.push(Piece { data, record: r, range, forward, columns: local, x0: x, continued, weights: weights.clone(), slopes });
         }
     }
     let samples = data.iter().map(|d| d.times.len() * d.outputs.len()).sum();

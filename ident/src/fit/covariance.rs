@@ -30,8 +30,8 @@ pub(crate) struct Covariance {
     pub inflation: f64,
 }
 
-/// `normal` includes the priors, whose inverse variances are `priors`; `held` unknowns stand at a bound.
-pub(crate) fn covariance(rows: &[Rows], normal: &DMatrix<f64>, priors: &[f64], held: &[bool]) -> Covariance {
+/// What `normal` has beyond the rows are priors; `held` unknowns stand at a bound.
+pub(crate) fn covariance(rows: &[Rows], normal: &DMatrix<f64>, held: &[bool]) -> Covariance {
     let n = normal.nrows();
     let (inverse, told) = inverse(normal, held);
     // influence of each time on the estimates
@@ -69,7 +69,7 @@ pub(crate) fn covariance(rows: &[Rows], normal: &DMatrix<f64>, priors: &[f64], h
     let rest = samples as f64 * rows.iter().map(|r| r.outputs).max().unwrap_or(1) as f64;
     middle *= rest / (rest - unknowns).max(1.0);
     // priors are observations of unit variance
-    let by_priors = DMatrix::from_fn(n, n, |i, j| (0..n).map(|k| inverse[(i, k)] * priors[k] * inverse[(k, j)]).sum());
+    let by_priors = &inverse * (normal - of_rows(rows, n)) * &inverse;
     let matrix = middle + by_priors;
     let colour = open.iter().map(|&i| (1.0 + rho[i]) / (1.0 - rho[i])).fold(1.0, f64::max);
     let memory = bandwidth as f64 + colour - 1.0;
@@ -79,6 +79,27 @@ pub(crate) fn covariance(rows: &[Rows], normal: &DMatrix<f64>, priors: &[f64], h
     ratios.sort_by(f64::total_cmp);
     let inflation = ratios.get(ratios.len() / 2).copied().unwrap_or(1.0);
     Covariance { matrix, told, factor, memory, inflation }
+}
+
+/// J^T J of the rows.
+fn of_rows(rows: &[Rows], n: usize) -> DMatrix<f64> {
+    let mut total = DMatrix::zeros(n, n);
+    for rows in rows {
+        let m = rows.columns.len();
+        let mut local = vec![0.0; m * m];
+        for (slope, j) in rows.slopes.iter().zip(rows.jacobian.chunks_exact(m.max(1))) {
+            for (a, ja) in j.iter().enumerate() {
+                let scaled = slope * ja;
+                local[a * m + a..(a + 1) * m].iter_mut().zip(&j[a..]).for_each(|(n, j)| *n += scaled * j);
+            }
+        }
+        for (a, &i) in rows.columns.iter().enumerate() {
+            for (b, &j) in rows.columns.iter().enumerate() {
+                total[(i, j)] += local[a.min(b) * m + a.max(b)];
+            }
+        }
+    }
+    total
 }
 
 /// H^-1 over the unknowns that are not held, without the directions in which H vanishes; and which unknowns have no part

@@ -1,8 +1,9 @@
 //! What the first samples of a stretch say of the state at its beginning: values and standard errors.
 //!
 //! Each measured output is fitted over 0.2 s by the polynomial of degree 1 to 3 that the Bayesian information criterion
-//! prefers, so that an acceleration does not pass for a rate. The errors are those of the fit, never less than what an
-//! encoder's quantum allows, and for the rate also what the next degree would change.
+//! prefers: that is where a fit starts. A prior of rates is not laid on the rate at the first sample, for which an
+//! acceleration would pass, but on the slope of the straight line over the 0.2 s: the model's must be the measured one to
+//! within its standard error, which is never less than what an encoder's quantum allows.
 
 use super::data::{Data, spread};
 use super::options::{InitialStates, Known};
@@ -24,11 +25,26 @@ pub(crate) struct InitialUnknown {
     pub size: f64,
 }
 
+/// The slope of a straight line over the first samples of an output.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Slope {
+    /// Which of the measured outputs.
+    pub output: usize,
+    /// The slope is the sum of these times the first samples.
+    pub weights: Vec<f64>,
+    /// Measured.
+    pub value: f64,
+    /// Its standard error.
+    pub sd: f64,
+}
+
 /// Estimate of an initial state.
 #[derive(Clone, Debug)]
 pub(crate) struct InitialEstimate {
     pub x: Vec<f64>,
     pub unknowns: Vec<InitialUnknown>,
+    /// Priors of the rates.
+    pub slopes: Vec<Slope>,
 }
 
 /// As a record that starts in this way is treated.
@@ -54,7 +70,8 @@ pub(crate) fn estimate(
     let t = &data.times[from..from + window];
     let mut lines = Vec::new();
     let mut errors = Vec::new();
-    for (&i, values) in data.outputs.iter().zip(&data.measured) {
+    let mut slopes = Vec::new();
+    for (output, (&i, values)) in data.outputs.iter().zip(&data.measured).enumerate() {
         let y = &values[from..from + window];
         let floor = (model.output_path(i, p).quantum / 12_f64.sqrt()).max(1e-6 * spread(values));
         let fitted = beginning(t, y, floor);
@@ -66,6 +83,7 @@ pub(crate) fn estimate(
         let rate = if states.rates == Known::Fixed { 0.0 } else { fitted.rate };
         lines.push((i, Line { value, rate }));
         errors.push((fitted.noise, fitted.rate_error));
+        slopes.push(slope(output, t, y, fitted.noise, floor));
     }
     let x = state_from(model, p, t0, &lines, &data.inputs(model, p, t0));
 
@@ -85,11 +103,24 @@ pub(crate) fn estimate(
         }
         let rate_read = (0..lines.len()).any(|r| entry(r, count + i) != 0.0);
         if (seen || rate_read) && states.rates != Known::Fixed {
-            let prior_sd = (states.rates == Known::Prior && seen).then_some(rate_sd);
-            unknowns.push(InitialUnknown { state: count + i, prior_sd, size: if seen { rate_sd } else { 1.0 } });
+            unknowns.push(InitialUnknown { state: count + i, prior_sd: None, size: if seen { rate_sd } else { 1.0 } });
         }
     }
-    InitialEstimate { x, unknowns }
+    // the slope of an output that sees rates is an acceleration
+    let of_coordinates = |r: usize| (0..count).any(|j| entry(r, j) != 0.0) && (count..n).all(|j| entry(r, j) == 0.0);
+    slopes.retain(|s| states.rates == Known::Prior && of_coordinates(s.output));
+    InitialEstimate { x, unknowns, slopes }
+}
+
+/// The straight line over the samples; `noise` is their standard deviation.
+fn slope(output: usize, t: &[f64], y: &[f64], noise: f64, floor: f64) -> Slope {
+    let mean = t.iter().sum::<f64>() / t.len() as f64;
+    let squares: f64 = t.iter().map(|t| (t - mean).powi(2)).sum();
+    let weights: Vec<f64> = t.iter().map(|t| (t - mean) / squares.max(f64::MIN_POSITIVE)).collect();
+    let value = weights.iter().zip(y).map(|(w, y)| w * y).sum();
+    // errors of an encoder that stands still or creeps do not average out
+    let creeping = floor / (t[t.len() - 1] - t[0]).max(f64::MIN_POSITIVE);
+    Slope { output, weights, value, sd: (noise / squares.sqrt()).max(creeping) }
 }
 
 struct Beginning {

@@ -1,9 +1,10 @@
 //! Output error over all records, priors and continuity as one sum of squares, with its exact gradient and Gauss-Newton
 //! matrix.
 //!
-//! cost = 1/2 sum rho((y - h)/scale) + 1/2 sum ((x - prior)/sd)^2 [+ 1/2 sum (jump of the state between pieces / sd)^2].
+//! cost = 1/2 sum rho((y - h)/scale) + 1/2 sum ((x - prior)/sd)^2, the slopes of the first samples among the priors, [+ 1/2 sum (jump of the state between pieces / sd)^2].
 
 use super::data::Data;
+use super::initial::Slope;
 use super::minimize::{Evaluation, Objective};
 use super::options::Loss;
 use crate::compare::initial::settle_lags;
@@ -47,6 +48,8 @@ pub(crate) struct Piece<'a> {
     pub continued: bool,
     /// 1 / scale of each measured output.
     pub weights: Vec<f64>,
+    /// Priors of the rates at its beginning.
+    pub slopes: Vec<Slope>,
 }
 
 /// The objective.
@@ -288,7 +291,19 @@ impl Objective for OutputError<'_> {
             let m = self.pieces[index].columns.len();
             let weights = self.pieces[index].weights.clone();
             let mut sums = Sums { cost: 0.0, gradient: vec![0.0; m], normal: vec![0.0; m * m] };
-            self.run(theta, index, &mut |_, i, error, dy| sums.add(loss, error * weights[i], weights[i], dy))?;
+            let slopes = self.pieces[index].slopes.clone();
+            let mut lines: Vec<Line> = slopes.iter().map(|_| Line { error: 0.0, by: vec![0.0; m] }).collect();
+            self.run(theta, index, &mut |k, i, error, dy| {
+                sums.add(loss, error * weights[i], weights[i], dy);
+                for (slope, line) in slopes.iter().zip(&mut lines) {
+                    if slope.output == i && k < slope.weights.len() {
+                        line.add(slope.weights[k], error, dy);
+                    }
+                }
+            })?;
+            for (slope, line) in slopes.iter().zip(&lines) {
+                sums.add(Loss::Squares, line.error / slope.sd, 1.0 / slope.sd, &line.by);
+            }
             sums.spread(&self.pieces[index].columns, &mut total);
             if self.pieces[index].continued {
                 self.continuity(theta, index, &mut total)?;
@@ -296,6 +311,19 @@ impl Objective for OutputError<'_> {
         }
         self.priors(theta, &mut total);
         total.cost.is_finite().then_some(total)
+    }
+}
+
+/// The slope of the errors of the first samples, and its derivatives.
+struct Line {
+    error: f64,
+    by: Vec<f64>,
+}
+
+impl Line {
+    fn add(&mut self, weight: f64, error: f64, dy: &[f64]) {
+        self.error += weight * error;
+        self.by.iter_mut().zip(dy).for_each(|(b, d)| *b += weight * d);
     }
 }
 

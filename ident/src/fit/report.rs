@@ -7,7 +7,7 @@ use super::data::Data;
 use super::error::FitError;
 use super::identifiability::identifiable;
 use super::minimize::{Evaluation, Minimum};
-use super::objective::{OutputError, UnknownKind};
+use super::objective::{OutputError, Piece, UnknownKind};
 use super::options::{FitOptions, Loss, Weights};
 use super::specification::ParameterSpec;
 use super::whiteness::whiteness;
@@ -41,8 +41,7 @@ pub(crate) fn answer(
             theta[i] <= lo || theta[i] >= hi
         })
         .collect();
-    let priors: Vec<f64> = problem.unknowns.iter().map(|u| u.prior.map_or(0.0, |(_, sd)| 1.0 / (sd * sd))).collect();
-    let cov = covariance::covariance(&rows, &at.normal, &priors, &held);
+    let cov = covariance::covariance(&rows, &at.normal, &held);
 
     let wanted: Vec<usize> = (0..n).filter(|&i| matches!(problem.unknowns[i].kind, UnknownKind::Parameter(_))).collect();
     let parameters = wanted.iter().map(|&i| estimate(model, specs, data, problem, theta, &cov, &held, i)).collect();
@@ -141,12 +140,26 @@ fn initial_states(model: &dyn Model, data: &[Data], problem: &OutputError<'_>, t
                 record: data.source.clone(),
                 state: model.names().state(state).to_owned(),
                 value,
-                prior: unknown.and_then(|u| u.prior),
+                prior: unknown.and_then(|u| u.prior).or_else(|| slope_of(model, &p, &x, state, &problem.pieces[index])),
                 free: unknown.is_some(),
             });
         }
     }
     out
+}
+
+/// The measured slope behind the rate of a coordinate that an output reads directly.
+fn slope_of(model: &dyn Model, p: &[f64], x: &[f64], state: usize, piece: &Piece<'_>) -> Option<(f64, f64)> {
+    let d = model.dimensions();
+    let coordinate = state.checked_sub(d.coordinates).filter(|&i| i < d.coordinates)?;
+    let (mut c, mut dhdp) = (vec![0.0; d.outputs * d.states()], vec![0.0; d.outputs * d.parameters]);
+    model.output_jacobian(piece.data.times[0], x, p, &mut c, &mut dhdp);
+    let row = |output: usize| &c[output * d.states()..(output + 1) * d.states()];
+    piece.slopes.iter().find_map(|s| {
+        let row = row(piece.data.outputs[s.output]);
+        let alone = row.iter().enumerate().all(|(j, c)| (*c != 0.0) == (j == coordinate));
+        alone.then(|| (s.value / row[coordinate], s.sd / row[coordinate].abs()))
+    })
 }
 
 /// What the records tell of the parameters, those of the day under the name of their record.

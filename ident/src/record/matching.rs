@@ -106,8 +106,42 @@ impl std::error::Error for MatchError {}
 pub fn bind(record: &Record, model: &dyn Model, hold: Hold) -> Result<Bound, MatchError> {
     let d = model.dimensions();
     let names = model.names();
+    let signals = bind_signals(record, model, hold)?;
+    let mut outputs = Vec::new();
+    for i in 0..d.outputs {
+        let name = names.output(i);
+        outputs.push(match record.column(name) {
+            None => None,
+            Some(column) => {
+                check_unit(record, name, column.unit.as_ref(), names.output_unit(i), "output")?;
+                Some(column.values.clone())
+            }
+        });
+    }
+    if outputs.iter().all(Option::is_none) {
+        return Err(MatchError::NoOutput {
+            file: record.source.clone(),
+            outputs: (0..d.outputs).map(|i| names.output(i).to_owned()).collect(),
+            found: found(record),
+        });
+    }
+    let used = |name: &str| (0..d.signals()).any(|i| names.signal(i) == name) || (0..d.outputs).any(|i| names.output(i) == name);
+    let unused = record.columns.iter().map(|c| c.name.clone()).filter(|n| !used(n)).collect();
+    Ok(Bound { signals, outputs, unused })
+}
+
+fn found(record: &Record) -> Vec<String> {
+    record.columns.iter().map(|c| c.name.clone()).chain(record.declared.iter().map(|i| i.name.clone())).collect()
+}
+
+/// The signals of a model (inputs, then exogenous ones) from a record that need not hold its outputs.
+///
+/// # Errors
+/// [`MatchError`], one variant a cause.
+pub fn bind_signals(record: &Record, model: &dyn Model, hold: Hold) -> Result<Signals, MatchError> {
+    let d = model.dimensions();
+    let names = model.names();
     let file = || record.source.clone();
-    let found = || record.columns.iter().map(|c| c.name.clone()).chain(record.declared.iter().map(|i| i.name.clone())).collect::<Vec<_>>();
     let mut signals = Vec::new();
     for i in 0..d.signals() {
         let name = names.signal(i);
@@ -124,33 +158,12 @@ pub fn bind(record: &Record, model: &dyn Model, hold: Hold) -> Result<Bound, Mat
             Signal { t: record.t.clone(), values: values.clone(), hold }
         } else {
             let near = nearest(name, record.columns.iter().map(|c| c.name.as_str())).map(str::to_owned);
-            return Err(MatchError::NoInput { file: file(), input: name.to_owned(), near, found: found() });
+            return Err(MatchError::NoInput { file: file(), input: name.to_owned(), near, found: found(record) });
         };
         signals.push(signal);
     }
-    let mut outputs = Vec::new();
-    for i in 0..d.outputs {
-        let name = names.output(i);
-        outputs.push(match record.column(name) {
-            None => None,
-            Some(column) => {
-                check_unit(record, name, column.unit.as_ref(), names.output_unit(i), "output")?;
-                Some(column.values.clone())
-            }
-        });
-    }
-    if outputs.iter().all(Option::is_none) {
-        return Err(MatchError::NoOutput {
-            file: file(),
-            outputs: (0..d.outputs).map(|i| names.output(i).to_owned()).collect(),
-            found: found(),
-        });
-    }
-    let used = |name: &str| (0..d.signals()).any(|i| names.signal(i) == name) || (0..d.outputs).any(|i| names.output(i) == name);
-    let unused = record.columns.iter().map(|c| c.name.clone()).filter(|n| !used(n)).collect();
     // the record's own checks have seen to lengths and finiteness
-    let signals = Signals::new(signals).map_err(|_| MatchError::TooFewSamples { file: file(), found: record.t.len(), needed: 2 })?;
-    Ok(Bound { signals, outputs, unused })
+    Signals::new(signals).map_err(|_| MatchError::TooFewSamples { file: file(), found: record.t.len(), needed: 2 })
 }
 
 fn check_unit(record: &Record, column: &str, stated: Option<&Unit>, rig: &str, what: &'static str) -> Result<(), MatchError> {

@@ -26,7 +26,12 @@ pub(crate) fn parse(path: &Path, bytes: &[u8], layout: Layout) -> Result<Table, 
         let line = bytes[..e.valid_up_to()].iter().filter(|&&b| b == b'\n').count() + 1;
         error(Cause::NotText { line })
     })?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    // a byte-order mark is no name; lines are counted by their `\n`
+    let mut text = text.strip_prefix('\u{feff}').unwrap_or(text).replace("\r\n", "\n");
+    if !text.ends_with('\n') {
+        text.push('\n');
+    }
+    let text = text.as_str();
     let header = text.lines().next().unwrap_or_default();
     let mut names = Vec::new();
     if layout.header > 0 {
@@ -98,7 +103,8 @@ fn split(text: &[u8], delimiter: Option<u8>, on_row: &mut OnRow) -> Result<(), R
         csv::ReaderBuilder::new().has_headers(false).flexible(true).delimiter(delimiter).trim(csv::Trim::All).from_reader(text);
     let mut record = csv::StringRecord::new();
     while let Ok(true) = reader.read_record(&mut record) {
-        let line = record.position().map_or(1, |p| usize::try_from(p.line()).unwrap_or(1));
+        // the reader now stands behind the line's end; where a record began it does not say, since it skips blank lines
+        let line = usize::try_from(reader.position().line()).unwrap_or(usize::MAX) - 1;
         let cells: Vec<&str> = record.iter().collect();
         if cells.iter().any(|c| !c.is_empty()) {
             on_row(line, &cells)?;

@@ -1,0 +1,31 @@
+//! Writing files without losing anything of the user's.
+
+use crate::failure::Failure;
+use std::path::Path;
+
+/// The mark by which a file is known to be ours, in its first lines.
+pub const MARK: &str = "Generated from `";
+
+/// Writes a file. What stands there is replaced only if it carries our mark, or is equal, or `force` is given.
+pub fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
+    if let Ok(old) = std::fs::read_to_string(path) {
+        if old == text {
+            return Ok(());
+        }
+        let ours = old.lines().take(8).any(|line| line.contains(MARK));
+        if !ours && !force {
+            return Err(refuse(path));
+        }
+    } else if path.exists() && !force {
+        return Err(refuse(path));
+    }
+    if let Some(parent) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
+        std::fs::create_dir_all(parent).map_err(|e| Failure::new("C0402", format!("cannot make the folder {}: {e}", parent.display())))?;
+    }
+    std::fs::write(path, text).map_err(|e| Failure::new("C0402", format!("cannot write {}: {e}", path.display())))
+}
+
+fn refuse(path: &Path) -> Failure {
+    Failure::new("C0401", format!("{} stands there already and was not written by this program", path.display()))
+        .with_help("choose another name, or overwrite it with --force")
+}

@@ -1,0 +1,198 @@
+//! The model trait over the named functions of an emitted module.
+
+use super::functions::Vector;
+use super::plan::plan;
+use super::rust::{Fields, type_of, unit, write_list};
+use super::form::{Form, Rank, number};
+use crate::equations::Equations;
+use crate::expr::Id;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// Writes the unit struct of the rig, its names and its implementation of `runtime::Model`.
+pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTreeSet<&'static str>) {
+    let l = &e.layout;
+    let (n, m, np, ny) = (l.states(), l.u.len(), l.p.len(), l.outputs.len());
+    let model = &fields.model;
+    for (name, doc, values) in [
+        ("STATE_NAMES", "Names of the states.", l.x().map(|v| v.name.as_str()).collect::<Vec<_>>()),
+        ("INPUT_NAMES", "Names of the signals.", l.u.iter().map(|v| v.name.as_str()).collect()),
+        ("PARAMETER_NAMES", "Names of the parameters.", l.p.iter().map(|v| v.name.as_str()).collect()),
+        ("PARAMETER_UNITS", "Units of the parameters.", l.p.iter().map(|v| unit(&v.unit)).collect()),
+        ("OUTPUT_NAMES", "Names of the measured outputs.", l.outputs.iter().map(|v| v.name.as_str()).collect()),
+        ("OUTPUT_UNITS", "Units of the measured outputs.", l.outputs.iter().map(|v| unit(&v.unit)).collect()),
+    ] {
+        let quoted: Vec<Form> = values.iter().map(|v| Form::atom(Rank::Named, format!("{v:?}"))).collect();
+        let _ = writeln!(out, "/// {doc}");
+        write_list(out, 0, &format!("pub const {name}: [&str; {}] = [", values.len()), &quoted, &[], "];");
+    }
+    let _ = write!(
+        out,
+        "\n/// The rig behind the model trait: slices in, slices out, over the functions above.\n\
+         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]\npub struct {model};\n\n\
+         impl Names for {model} {{\n    fn rig(&self) -> &str {{\n        {:?}\n    }}\n",
+        l.rig
+    );
+    for (function, list) in [
+        ("state", "STATE_NAMES"),
+        ("signal", "INPUT_NAMES"),
+        ("parameter", "PARAMETER_NAMES"),
+        ("output", "OUTPUT_NAMES"),
+        ("parameter_unit", "PARAMETER_UNITS"),
+        ("output_unit", "OUTPUT_UNITS"),
+    ] {
+        let _ = write!(out, "\n    fn {function}(&self, i: usize) -> &str {{\n        {list}.get(i).copied().unwrap_or_default()\n    }}\n");
+    }
+    let _ = write!(
+        out,
+        "}}\n\nimpl Model for {model} {{\n    fn dimensions(&self) -> Dimensions {{\n        \
+         Dimensions {{ coordinates: {}, lags: {}, inputs: {}, exogenous: {}, parameters: {np}, outputs: {ny} }}\n    }}\n\n    \
+         fn names(&self) -> &dyn Names {{\n        self\n    }}\n",
+        l.q.len(),
+        l.z.len(),
+        l.inputs,
+        m - l.inputs,
+    );
+    let nominal = if np > 0 { "runtime::write(p, &Parameters::NOMINAL.to_array());" } else { "let _ = p;" };
+    let _ = write!(out, "\n    fn nominal(&self, p: &mut [f64]) {{\n        {nominal}\n    }}\n");
+
+    let list = super::functions::functions(e);
+    let arguments = |name: &str| list.iter().find(|f| f.name == name).map_or(Vec::new(), |f| f.arguments.clone());
+    let uses_time = |name: &str| arguments(name).contains(&Vector::Time);
+    let call = |name: &str| {
+        let given: Vec<String> = arguments(name).iter().map(|v| if *v == Vector::Time { "t".to_owned() } else { format!("&{}", v.letter()) }).collect();
+        format!("{name}({})", given.join(", "))
+    };
+    let unpack = |name: &str| {
+        let mut text = String::new();
+        for v in arguments(name) {
+            if v != Vector::Time {
+                let _ = writeln!(text, "        let {0} = {1}::from_array(runtime::array({0}));", v.letter(), type_of(v));
+            }
+        }
+        text
+    };
+    // names of arguments that the trait hands over and this model does not need start with an underscore
+    let head = |name: &str, wanted: &[(Vector, &str)]| {
+        let has = arguments(name);
+        let list: Vec<String> = wanted.iter().map(|(v, ty)| format!("{}{}: {ty}", if has.contains(v) { "" } else { "_" }, v.letter())).collect();
+        list.join(", ")
+    };
+    let slice = "&[f64]";
+    let all = [(Vector::Time, "f64"), (Vector::State, slice), (Vector::Inputs, slice), (Vector::Parameters, slice)];
+    let measured = [(Vector::Time, "f64"), (Vector::State, slice), (Vector::Parameters, slice)];
+
+    // x' = [v | a | z']
+    let nq = l.q.len();
+    let _ = write!(out, "\n    fn rhs(&self, {}, dx: &mut [f64]) -> Result<(), Singular> {{\n{}", head("forward_dynamics", &all), unpack("forward_dynamics"));
+    let _ = writeln!(out, "        let a = {}?;", call("forward_dynamics"));
+    let _ = writeln!(out, "        runtime::write_at(dx, 0, &x.v.to_array());\n        runtime::write_at(dx, {nq}, &a.to_array());");
+    if !l.z.is_empty() {
+        let _ = writeln!(out, "        runtime::write_at(dx, {}, &{});", 2 * nq, call("lag_rates"));
+    }
+    out.push_str("        Ok(())\n    }\n");
+
+    let b = if m > 0 { "b" } else { "_b" };
+    let _ = write!(
+        out,
+        "\n    fn linearize(&self, {}, dx: &mut [f64], a: &mut [f64], {b}: &mut [f64]) -> Result<(), Singular> {{\n{}",
+        head("linearize", &all),
+        unpack("linearize")
+    );
+    let _ = writeln!(out, "        let linear = {}?;\n        runtime::write(dx, &linear.dx);\n        runtime::write(a, linear.a.as_flattened());", call("linearize"));
+    if m > 0 {
+        out.push_str("        runtime::write(b, linear.b.as_flattened());\n");
+    }
+    out.push_str("        Ok(())\n    }\n");
+
+    if np > 0 {
+        let _ = write!(
+            out,
+            "\n    fn parameter_jacobian(&self, {}, dfdp: &mut [f64]) -> Result<(), Singular> {{\n{}        runtime::write(dfdp, {}?.as_flattened());\n        Ok(())\n    }}\n",
+            head("parameter_jacobian", &all),
+            unpack("parameter_jacobian"),
+            call("parameter_jacobian")
+        );
+    } else {
+        out.push_str("\n    fn parameter_jacobian(&self, _t: f64, _x: &[f64], _u: &[f64], _p: &[f64], _dfdp: &mut [f64]) -> Result<(), Singular> {\n        Ok(())\n    }\n");
+    }
+    if ny > 0 {
+        let _ = write!(
+            out,
+            "\n    fn outputs(&self, {}, y: &mut [f64]) {{\n{}        runtime::write(y, &{}.to_array());\n    }}\n",
+            head("outputs", &measured),
+            unpack("outputs"),
+            call("outputs")
+        );
+        let dhdp = if np > 0 { "dhdp" } else { "_dhdp" };
+        let _ = write!(
+            out,
+            "\n    fn output_jacobian(&self, {}, c: &mut [f64], {dhdp}: &mut [f64]) {{\n{}        let slopes = {};\n        runtime::write(c, slopes.by_x.as_flattened());\n",
+            head("output_jacobian", &measured),
+            unpack("output_jacobian"),
+            call("output_jacobian")
+        );
+        if np > 0 {
+            out.push_str("        runtime::write(dhdp, slopes.by_p.as_flattened());\n");
+        }
+        out.push_str("    }\n");
+    } else {
+        out.push_str("\n    fn outputs(&self, _t: f64, _x: &[f64], _p: &[f64], _y: &mut [f64]) {}\n");
+        out.push_str("\n    fn output_jacobian(&self, _t: f64, _x: &[f64], _p: &[f64], _c: &mut [f64], _dhdp: &mut [f64]) {}\n");
+    }
+    let _ = (n, uses_time("forward_dynamics"));
+    let inputs: Vec<(String, Id)> = e
+        .input_paths
+        .iter()
+        .map(|(limits, delay)| {
+            let (lo, hi) = limits.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+            (format!("limits: ({}, {}), ", bound(lo), bound(hi)), *delay)
+        })
+        .collect();
+    path(out, e, fields, calls, "input_path", "InputPath", &inputs, "limits: (f64::NEG_INFINITY, f64::INFINITY), delay: 0.0");
+    let outputs: Vec<(String, Id)> = e.output_paths.iter().map(|(delay, quantum, wrapped)| (format!("quantum: {}, wrapped: {wrapped}, ", number(*quantum)), *delay)).collect();
+    path(out, e, fields, calls, "output_path", "OutputPath", &outputs, "delay: 0.0, quantum: 0.0, wrapped: false");
+    out.push_str("}\n");
+}
+
+fn bound(x: f64) -> String {
+    if x == f64::NEG_INFINITY {
+        "f64::NEG_INFINITY".to_owned()
+    } else if x == f64::INFINITY {
+        "f64::INFINITY".to_owned()
+    } else {
+        number(x)
+    }
+}
+
+/// One of the two path functions: a match over the entries.
+#[allow(clippy::too_many_arguments)]
+fn path(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTreeSet<&'static str>, name: &str, record: &str, paths: &[(String, Id)], none: &str) {
+    let reads = paths.iter().any(|(_, delay)| e.graph.number_of(*delay).is_none());
+    let p = if reads { "p" } else { "_p" };
+    let i = if paths.is_empty() { "_i" } else { "i" };
+    let _ = writeln!(out, "\n    fn {name}(&self, {i}: usize, {p}: &[f64]) -> {record} {{");
+    if paths.is_empty() {
+        let _ = writeln!(out, "        {record} {{ {none} }}\n    }}");
+        return;
+    }
+    if reads {
+        out.push_str("        let p = Parameters::from_array(runtime::array(p));\n");
+    }
+    out.push_str("        match i {\n");
+    for (k, (others, delay)) in paths.iter().enumerate() {
+        let plan = plan(&e.graph, &fields.vocabulary(e), fields.within(), &[*delay]);
+        calls.extend(plan.calls.iter().copied());
+        let value: Vec<String> = plan.results.iter().map(Form::text).collect();
+        if plan.statements.is_empty() {
+            let _ = writeln!(out, "            {k} => {record} {{ {others}delay: {} }},", value.concat());
+        } else {
+            let _ = writeln!(out, "            {k} => {{");
+            for statement in &plan.statements {
+                super::rust::write_statement(out, statement, 16);
+            }
+            let _ = writeln!(out, "                {record} {{ {others}delay: {} }}\n            }}", value.concat());
+        }
+    }
+    let _ = writeln!(out, "            _ => {record} {{ {none} }},\n        }}\n    }}");
+}

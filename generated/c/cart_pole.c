@@ -1,0 +1,376 @@
+/*
+ * Cart and pole.
+ * Generated from `cart_pole.rig` (model 845001bf); edit the rig, not this file.
+ *
+ * The numbers of gymnasium's CartPole (cart 1 kg, pole 0.1 kg, half length 0.5 m), with the pole a
+ * uniform rod. theta = 0 is upright, positive towards +x.
+ *
+ * 34 operations forward, 70 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ *
+ * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
+ */
+#include "cart_pole.h"
+
+#include <math.h>
+
+void cart_pole_nominal(struct cart_pole_parameters *p)
+{
+    p->m_c = 1.0;
+    p->m_p = 0.1;
+    p->l = 0.5;
+    p->g = 9.8;
+}
+
+void cart_pole_mass_matrix(const struct cart_pole_coordinates *q, const struct cart_pole_parameters *p, double m[2][2])
+{
+    const double c_theta = cos(q->theta);
+    const double J = p->m_p * p->l * p->l / 3.0;
+    /* body rod on pole */
+    const double mc_pole_z = p->m_p * p->l;
+    /* frame pole on rail */
+    const double M_x_theta = mc_pole_z * c_theta;
+    m[0][0] = p->m_c + p->m_p; /* x */
+    m[0][1] = M_x_theta;
+    m[1][0] = M_x_theta; /* theta */
+    m[1][1] = J + p->l * mc_pole_z;
+}
+
+void cart_pole_bias(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_rates *v,
+    const struct cart_pole_parameters *p,
+    double h[2])
+{
+    const double s_theta = sin(q->theta);
+    const double c_theta = cos(q->theta);
+    /* body rod on pole */
+    const double mc_pole_z = p->m_p * p->l;
+    /* frame pole on rail */
+    const double a_pole_x = -p->g * s_theta;
+    const double f_pole_z = p->m_p * p->g * c_theta - mc_pole_z * v->theta * v->theta;
+    const double f_rail_x = f_pole_z * s_theta + p->m_p * a_pole_x * c_theta;
+    h[0] = f_rail_x; /* x */
+    h[1] = mc_pole_z * a_pole_x; /* theta */
+}
+
+void cart_pole_velocity_products(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_rates *v,
+    const struct cart_pole_parameters *p,
+    double c[2])
+{
+    const double s_theta = sin(q->theta);
+    /* frame pole on rail */
+    const double f_moving_pole_z = -p->m_p * p->l * v->theta * v->theta;
+    c[0] = f_moving_pole_z * s_theta; /* x */
+    c[1] = 0.0; /* theta */
+}
+
+void cart_pole_gravity(const struct cart_pole_coordinates *q, const struct cart_pole_parameters *p, double g[2])
+{
+    const double s_theta = sin(q->theta);
+    const double g_theta = -p->m_p * p->l * p->g * s_theta;
+    g[0] = 0.0; /* x */
+    g[1] = g_theta; /* theta */
+}
+
+void cart_pole_dissipation(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_rates *v,
+    const struct cart_pole_parameters *p,
+    double d[2])
+{
+    (void)q;
+    (void)v;
+    (void)p;
+    d[0] = 0.0; /* x */
+    d[1] = 0.0; /* theta */
+}
+
+void cart_pole_generalized_force(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    double f[2])
+{
+    (void)q;
+    (void)p;
+    f[0] = u->F; /* x */
+    f[1] = 0.0; /* theta */
+}
+
+void cart_pole_input_map(const struct cart_pole_coordinates *q, const struct cart_pole_parameters *p, double s[2][1])
+{
+    (void)q;
+    (void)p;
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < 1; j++) {
+            s[i][j] = 0.0;
+        }
+    }
+    s[0][0] = 1.0; /* x */
+}
+
+double cart_pole_kinetic_energy(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_rates *v,
+    const struct cart_pole_parameters *p)
+{
+    const double s_theta = sin(q->theta);
+    const double c_theta = cos(q->theta);
+    const double J = p->m_p * p->l * p->l / 3.0;
+    const double s_theta_x_dot = s_theta * v->x;
+    /* body rod on pole */
+    const double rod_1 = c_theta * v->x + p->l * v->theta;
+    const double rod_2 = 0.5 * (p->m_p * (rod_1 * rod_1 + s_theta_x_dot * s_theta_x_dot) + J * v->theta * v->theta);
+    return 0.5 * p->m_c * v->x * v->x + rod_2;
+}
+
+double cart_pole_potential_energy(const struct cart_pole_coordinates *q, const struct cart_pole_parameters *p)
+{
+    const double c_theta = cos(q->theta);
+    return p->m_p * p->l * p->g * c_theta;
+}
+
+void cart_pole_inverse_dynamics(
+    const struct cart_pole_state *x,
+    const struct cart_pole_accelerations *a,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    double r[2])
+{
+    const struct cart_pole_coordinates *q = &x->q;
+    const struct cart_pole_rates *v = &x->v;
+    const double s_theta = sin(q->theta);
+    const double c_theta = cos(q->theta);
+    const double J = p->m_p * p->l * p->l / 3.0;
+    /* body rod on pole */
+    const double mc_pole_z = p->m_p * p->l;
+    /* frame pole on rail */
+    const double a_pole_z = p->g * c_theta + s_theta * a->x;
+    const double a_pole_x = c_theta * a->x - p->g * s_theta;
+    const double f_net_pole_x = p->m_p * a_pole_x + mc_pole_z * a->theta;
+    const double f_net_pole_z = p->m_p * a_pole_z - mc_pole_z * v->theta * v->theta;
+    const double n_net_pole_y = a->theta * (J + p->l * mc_pole_z) + mc_pole_z * a_pole_x;
+    /* frame rail on ground */
+    const double f_net_rail_x = p->m_c * a->x + f_net_pole_z * s_theta + f_net_pole_x * c_theta;
+    r[0] = f_net_rail_x - u->F; /* x */
+    r[1] = n_net_pole_y; /* theta */
+}
+
+void cart_pole_outputs(const struct cart_pole_state *x, const struct cart_pole_parameters *p, struct cart_pole_outputs *y)
+{
+    const struct cart_pole_coordinates *q = &x->q;
+    (void)p;
+    y->x = q->x;
+    y->theta = q->theta;
+}
+
+int cart_pole_forward_dynamics(
+    const struct cart_pole_state *x,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    struct cart_pole_accelerations *a)
+{
+    const struct cart_pole_coordinates *q = &x->q;
+    const struct cart_pole_rates *v = &x->v;
+    const double s_theta = sin(q->theta);
+    const double c_theta = cos(q->theta);
+    const double J = p->m_p * p->l * p->l / 3.0;
+    /* body rod on pole */
+    const double mc_pole_z = p->m_p * p->l;
+    /* frame pole on rail */
+    const double a_pole_x = -p->g * s_theta;
+    const double f_pole_z = p->m_p * p->g * c_theta - mc_pole_z * v->theta * v->theta;
+    const double f_rail_x = f_pole_z * s_theta + p->m_p * a_pole_x * c_theta;
+    /* frame rail on ground */
+    const double M_x_x = p->m_c + p->m_p;
+    /* balance of forces */
+    const double tau_x = u->F - f_rail_x;
+    /* M = L D L^T and back-substitution */
+    const double inv_x = 1.0 / M_x_x;
+    const double l_theta_x = mc_pole_z * inv_x * c_theta;
+    const double pivot_theta = J + p->l * mc_pole_z - l_theta_x * M_x_x * l_theta_x;
+    const double theta_ddot = (-mc_pole_z * a_pole_x - tau_x * l_theta_x) / pivot_theta;
+    const double x_ddot = tau_x * inv_x - l_theta_x * theta_ddot;
+    if (!(M_x_x > 0.0)) {
+        return 1;
+    }
+    if (!(pivot_theta > 0.0)) {
+        return 2;
+    }
+    a->x = x_ddot;
+    a->theta = theta_ddot;
+    return 0;
+}
+
+int cart_pole_linearize(
+    const struct cart_pole_state *x,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][1])
+{
+    const struct cart_pole_coordinates *q = &x->q;
+    const struct cart_pole_rates *v = &x->v;
+    const double s_theta = sin(q->theta);
+    const double c_theta = cos(q->theta);
+    const double J = p->m_p * p->l * p->l / 3.0;
+    /* body rod on pole */
+    const double mc_pole_z = p->m_p * p->l;
+    /* frame pole on rail */
+    const double f_moving_pole_z = -mc_pole_z * v->theta * v->theta;
+    const double a_pole_z = p->g * c_theta;
+    const double a_pole_x = -p->g * s_theta;
+    const double f_rail_x = s_theta * (p->m_p * a_pole_z + f_moving_pole_z) + p->m_p * a_pole_x * c_theta;
+    /* frame rail on ground */
+    const double M_x_x = p->m_c + p->m_p;
+    /* balance of forces */
+    const double tau_x = u->F - f_rail_x;
+    /* M = L D L^T and back-substitution */
+    const double inv_x = 1.0 / M_x_x;
+    const double l_theta_x = mc_pole_z * inv_x * c_theta;
+    const double pivot_theta = J + p->l * mc_pole_z - l_theta_x * M_x_x * l_theta_x;
+    const double inv_theta = 1.0 / pivot_theta;
+    const double theta_ddot = inv_theta * (-mc_pole_z * a_pole_x - tau_x * l_theta_x);
+    const double x_ddot = tau_x * inv_x - l_theta_x * theta_ddot;
+    /* derivatives with respect to theta_dot */
+    const double by_theta_dot_1 = 2.0 * mc_pole_z * s_theta * v->theta;
+    const double d_theta_ddot_by_theta_dot = -inv_theta * l_theta_x * by_theta_dot_1;
+    const double d_x_ddot_by_theta_dot = inv_x * by_theta_dot_1 - l_theta_x * d_theta_ddot_by_theta_dot;
+    const double a_pole_z_plus_x_ddot_s_theta = a_pole_z + x_ddot * s_theta;
+    /* slopes of the balance of forces, at the accelerations found */
+    const double slopes_1 = p->m_p * (x_ddot * c_theta + a_pole_x);
+    const double slopes_2 = p->m_p * a_pole_z_plus_x_ddot_s_theta;
+    const double slopes_3 = s_theta * (slopes_1 + mc_pole_z * theta_ddot) + slopes_2 * c_theta;
+    /* derivatives with respect to theta */
+    const double by_theta_1 = slopes_3 - c_theta * (slopes_2 + f_moving_pole_z) - slopes_1 * s_theta;
+    const double d_theta_ddot_by_theta = inv_theta * (mc_pole_z * a_pole_z_plus_x_ddot_s_theta - l_theta_x * by_theta_1);
+    const double d_x_ddot_by_theta = inv_x * by_theta_1 - l_theta_x * d_theta_ddot_by_theta;
+    /* derivatives with respect to F */
+    const double d_theta_ddot_by_F = -l_theta_x * inv_theta;
+    if (!(M_x_x > 0.0)) {
+        return 1;
+    }
+    if (!(pivot_theta > 0.0)) {
+        return 2;
+    }
+    dx[0] = v->x; /* x' */
+    dx[1] = v->theta; /* theta' */
+    dx[2] = x_ddot; /* x'' */
+    dx[3] = theta_ddot; /* theta'' */
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            a[i][j] = 0.0;
+        }
+    }
+    a[0][2] = 1.0; /* x' */
+    a[1][3] = 1.0; /* theta' */
+    a[2][1] = d_x_ddot_by_theta; /* x'' */
+    a[2][3] = d_x_ddot_by_theta_dot;
+    a[3][1] = d_theta_ddot_by_theta; /* theta'' */
+    a[3][3] = d_theta_ddot_by_theta_dot;
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 1; j++) {
+            b[i][j] = 0.0;
+        }
+    }
+    b[2][0] = inv_x - l_theta_x * d_theta_ddot_by_F; /* x'' */
+    b[3][0] = d_theta_ddot_by_F; /* theta'' */
+    return 0;
+}
+
+int cart_pole_parameter_jacobian(
+    const struct cart_pole_state *x,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    double by_p[4][4])
+{
+    const struct cart_pole_coordinates *q = &x->q;
+    const struct cart_pole_rates *v = &x->v;
+    const double s_theta = sin(q->theta);
+    const double c_theta = cos(q->theta);
+    const double l_sq = p->l * p->l;
+    /* body rod on pole */
+    const double mc_pole_z = p->m_p * p->l;
+    const double I_pole_xx = p->m_p * l_sq / 3.0 + p->l * mc_pole_z;
+    const double theta_dot_sq = v->theta * v->theta;
+    /* frame pole on rail */
+    const double a_pole_z = p->g * c_theta;
+    const double a_pole_x = -p->g * s_theta;
+    const double f_pole_z = p->m_p * a_pole_z - mc_pole_z * theta_dot_sq;
+    const double f_rail_x = f_pole_z * s_theta + p->m_p * a_pole_x * c_theta;
+    /* frame rail on ground */
+    const double M_x_x = p->m_c + p->m_p;
+    /* balance of forces */
+    const double tau_x = u->F - f_rail_x;
+    /* M = L D L^T and back-substitution */
+    const double inv_x = 1.0 / M_x_x;
+    const double l_theta_x = mc_pole_z * inv_x * c_theta;
+    const double pivot_theta = I_pole_xx - l_theta_x * M_x_x * l_theta_x;
+    const double inv_theta = 1.0 / pivot_theta;
+    const double tau_x_inv_x = tau_x * inv_x;
+    const double theta_ddot = inv_theta * (-mc_pole_z * a_pole_x - tau_x * l_theta_x);
+    const double l_theta_x_theta_ddot = l_theta_x * theta_ddot;
+    const double x_ddot = tau_x_inv_x - l_theta_x_theta_ddot;
+    const double x_ddot_c_theta_plus_a_pole_x = x_ddot * c_theta + a_pole_x;
+    /* slopes of the balance of forces, at the accelerations found */
+    const double slopes_1 = s_theta * (a_pole_z + x_ddot * s_theta - p->l * theta_dot_sq);
+    const double slopes_2 = slopes_1 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p->l * theta_ddot);
+    const double slopes_3 = p->m_p * x_ddot_c_theta_plus_a_pole_x + theta_ddot * (2.0 * p->m_p * p->l / 3.0 + 2.0 * mc_pole_z);
+    /* derivatives with respect to m_c */
+    const double by_m_c_1 = l_theta_x_theta_ddot - tau_x_inv_x;
+    const double d_theta_ddot_by_m_c = -inv_theta * l_theta_x * by_m_c_1;
+    const double d_x_ddot_by_m_c = inv_x * by_m_c_1 - l_theta_x * d_theta_ddot_by_m_c;
+    /* derivatives with respect to m_p */
+    const double by_m_p_1 = l_theta_x * slopes_2 - theta_ddot * (l_sq + l_sq / 3.0) - p->l * x_ddot_c_theta_plus_a_pole_x;
+    const double d_theta_ddot_by_m_p = inv_theta * by_m_p_1;
+    const double d_x_ddot_by_m_p = -inv_x * slopes_2 - l_theta_x * d_theta_ddot_by_m_p;
+    /* derivatives with respect to l */
+    const double by_l_1 = p->m_p * theta_dot_sq * s_theta - p->m_p * theta_ddot * c_theta;
+    const double d_theta_ddot_by_l = -inv_theta * (slopes_3 + l_theta_x * by_l_1);
+    const double d_x_ddot_by_l = inv_x * by_l_1 - l_theta_x * d_theta_ddot_by_l;
+    /* derivatives with respect to g */
+    const double by_g_1 = p->m_p * c_theta * s_theta - p->m_p * s_theta * c_theta;
+    const double d_theta_ddot_by_g = inv_theta * (mc_pole_z * s_theta - l_theta_x * by_g_1);
+    const double d_x_ddot_by_g = inv_x * by_g_1 - l_theta_x * d_theta_ddot_by_g;
+    if (!(M_x_x > 0.0)) {
+        return 1;
+    }
+    if (!(pivot_theta > 0.0)) {
+        return 2;
+    }
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            by_p[i][j] = 0.0;
+        }
+    }
+    by_p[2][0] = d_x_ddot_by_m_c; /* x'' */
+    by_p[2][1] = d_x_ddot_by_m_p;
+    by_p[2][2] = d_x_ddot_by_l;
+    by_p[2][3] = d_x_ddot_by_g;
+    by_p[3][0] = d_theta_ddot_by_m_c; /* theta'' */
+    by_p[3][1] = d_theta_ddot_by_m_p;
+    by_p[3][2] = d_theta_ddot_by_l;
+    by_p[3][3] = d_theta_ddot_by_g;
+    return 0;
+}
+
+void cart_pole_output_jacobian(const struct cart_pole_state *x, const struct cart_pole_parameters *p, double by_x[2][4], double by_p[2][4])
+{
+    (void)x;
+    (void)p;
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < 4; j++) {
+            by_x[i][j] = 0.0;
+        }
+    }
+    by_x[0][0] = 1.0; /* x */
+    by_x[1][1] = 1.0; /* theta */
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < 4; j++) {
+            by_p[i][j] = 0.0;
+        }
+    }
+}

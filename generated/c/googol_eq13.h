@@ -1,0 +1,185 @@
+/*
+ * Googol GHP2002, eq. 13 as printed.
+ * Generated from `googol_eq13.rig` (model df868c68); edit the rig, not this file.
+ *
+ * The seed paper's equations, written directly, with the printed factor sin(theta) in the
+ * yaw-by-f_d term. `rig diff googol_mrb.rig googol_eq13.rig` shows that one term.
+ *
+ * 47 operations forward, 91 with A and B.
+ *
+ * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
+ */
+#ifndef GOOGOL_EQ13_H
+#define GOOGOL_EQ13_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Parameters p. */
+struct googol_eq13_parameters {
+    double m_h;      /* fuselage with both rotors [kg] */
+    double m_b;      /* arm [kg] */
+    double m_c;      /* counterweight [kg] */
+    double g;        /* gravity [m/s^2] */
+    double l_oc;     /* elevation axis to pitch axis [m] */
+    double l_ob;     /* elevation axis to counterweight [m] */
+    double l_oa;     /* elevation axis to the arm's centre [m] */
+    double l_cd;     /* pitch axis down to the fuselage [m] */
+    double l_df;     /* pitch axis to each rotor, sideways [m] */
+    double c0_psi;   /* viscous friction of the column [N*m*s] */
+    double c0_eps;   /* viscous friction of the elevation axis [N*m*s] */
+    double c0_theta; /* viscous friction of the pitch axis [N*m*s] */
+    double I_psi;    /* yaw inertia [kg*m^2] */
+    double I_eps;    /* elevation inertia [kg*m^2] */
+    double I_theta;  /* pitch inertia [kg*m^2] */
+};
+
+/* Coordinates q. */
+struct googol_eq13_coordinates {
+    double psi;   /* [rad] */
+    double eps;   /* [rad] */
+    double theta; /* [rad] */
+};
+
+/* Rates v = q'. */
+struct googol_eq13_rates {
+    double psi;   /* [rad/s] */
+    double eps;   /* [rad/s] */
+    double theta; /* [rad/s] */
+};
+
+/* Accelerations a = q''. */
+struct googol_eq13_accelerations {
+    double psi;   /* [rad/s^2] */
+    double eps;   /* [rad/s^2] */
+    double theta; /* [rad/s^2] */
+};
+
+/* Signals u: inputs, then accelerations of prescribed coordinates. */
+struct googol_eq13_inputs {
+    double f_1; /* thrust of the rotor at -y [N] */
+    double f_2; /* thrust of the rotor at +y [N] */
+};
+
+/* Measured outputs y. */
+struct googol_eq13_outputs {
+    double psi;   /* [rad] */
+    double eps;   /* [rad] */
+    double theta; /* [rad] */
+};
+
+/* State x = [q | v]. */
+struct googol_eq13_state {
+    struct googol_eq13_coordinates q;
+    struct googol_eq13_rates v;
+};
+
+/* The values that the rig's file gives. */
+void googol_eq13_nominal(struct googol_eq13_parameters *p);
+
+/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta). */
+void googol_eq13_mass_matrix(const struct googol_eq13_coordinates *q, const struct googol_eq13_parameters *p, double m[3][3]);
+
+/* Bias h(q, v) [unit of the row]: terms without rates and inputs, on the left-hand side; rows (psi, eps, theta). */
+void googol_eq13_bias(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_rates *v,
+    const struct googol_eq13_parameters *p,
+    double h[3]);
+
+/* Bias of the equations as written [unit of the row]; rows (psi, eps, theta). */
+void googol_eq13_gravity(const struct googol_eq13_coordinates *q, const struct googol_eq13_parameters *p, double g[3]);
+
+/* Friction and dampers d(q, v) [unit of the row], on the left-hand side; rows (psi, eps, theta). */
+void googol_eq13_dissipation(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_rates *v,
+    const struct googol_eq13_parameters *p,
+    double d[3]);
+
+/* Generalized force Q [unit of the row] of the inputs; rows (psi, eps, theta). */
+void googol_eq13_generalized_force(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double f[3]);
+
+/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2). */
+void googol_eq13_input_map(const struct googol_eq13_coordinates *q, const struct googol_eq13_parameters *p, double s[3][2]);
+
+/*
+ * Inverse dynamics M a + h + d - Q [unit of the row]: the generalized force that is missing for the accelerations a;
+ * zero where a, v, q and u fit together.
+ */
+void googol_eq13_inverse_dynamics(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_accelerations *a,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double r[3]);
+
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
+void googol_eq13_outputs(const struct googol_eq13_state *x, const struct googol_eq13_parameters *p, struct googol_eq13_outputs *y);
+
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+ * 47 operations.
+ *
+ * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
+ * then the results are not written.
+ */
+int googol_eq13_forward_dynamics(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    struct googol_eq13_accelerations *a);
+
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
+ * 91 operations.
+ *
+ * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
+ *          psi eps theta psi.dot eps.dot theta.dot | f_1 f_2
+ * psi'     .   .   .     1       .       .         | .   .
+ * eps'     .   .   .     .       1       .         | .   .
+ * theta'   .   .   .     .       .       1         | .   .
+ * psi''    .   *   *     *       .       .         | *   *
+ * eps''    .   *   *     .       *       .         | *   *
+ * theta''  .   *   *     .       .       *         | *   *
+ *
+ * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
+ * then the results are not written.
+ */
+int googol_eq13_linearize(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2]);
+
+/*
+ * Parameter Jacobian dx'/dp, 6 x 15; columns in the order of Parameters.
+ *
+ * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
+ * then the results are not written.
+ */
+int googol_eq13_parameter_jacobian(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double by_p[6][15]);
+
+/* Jacobians of the measured outputs. */
+void googol_eq13_output_jacobian(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_parameters *p,
+    double by_x[3][6],
+    double by_p[3][15]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* GOOGOL_EQ13_H */

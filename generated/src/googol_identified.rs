@@ -1,0 +1,649 @@
+//! Googol GHP2002, identified model.
+//! Generated from `googol_identified.rig` (model 020c6d91); edit the rig, not this file.
+//!
+//! Eq. 16 of the seed paper as printed, accelerations written directly. Each lump keeps its
+//! definition over Table 1 behind its identified value; `--expand-lumps` uses the definitions.
+//! The paper used two values of c_eps: 0.10 in the open-loop comparison and in eq. 17, 0.3010 in the
+//! control design (eq. 26). The rig carries the latter; `--set c_eps=0.10` gives eq. 17.
+//!
+//! 33 operations forward, 64 with A and B.
+//!
+//! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
+#![allow(non_snake_case, rustdoc::broken_intra_doc_links)]
+#![allow(clippy::approx_constant, clippy::excessive_precision, clippy::too_many_arguments)]
+
+use runtime::math::sin_cos;
+use runtime::{Dimensions, InputPath, Model, Names, OutputPath, Singular};
+
+/// Parameters p.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// fuselage with both rotors [kg]
+    pub m_h: f64,
+    /// arm [kg]
+    pub m_b: f64,
+    /// counterweight [kg]
+    pub m_c: f64,
+    /// gravity [m/s^2]
+    pub g: f64,
+    /// elevation axis to pitch axis [m]
+    pub l_oc: f64,
+    /// elevation axis to counterweight [m]
+    pub l_ob: f64,
+    /// elevation axis to the arm's centre [m]
+    pub l_oa: f64,
+    /// pitch axis down to the fuselage [m]
+    pub l_cd: f64,
+    /// pitch axis to each rotor, sideways [m]
+    pub l_df: f64,
+    /// yaw inertia [kg*m^2]
+    pub I_psi: f64,
+    /// elevation inertia [kg*m^2]
+    pub I_eps: f64,
+    /// pitch inertia [kg*m^2]
+    pub I_theta: f64,
+    /// a1 [1/s^2]
+    pub a1: f64,
+    /// a2 [1/s^2]
+    pub a2: f64,
+    /// a3 [1/s^2]
+    pub a3: f64,
+    /// b1 [1/(kg*m)]
+    pub b1: f64,
+    /// b2 [1/(kg*m)]
+    pub b2: f64,
+    /// b3 [1/(kg*m)]
+    pub b3: f64,
+    /// b4 [1/(kg*m)]
+    pub b4: f64,
+    /// yaw damping over inertia [1/s]
+    pub c_psi: f64,
+    /// elevation damping over inertia [1/s]
+    pub c_eps: f64,
+    /// pitch damping over inertia [1/s]
+    pub c_theta: f64,
+}
+
+impl Parameters {
+    /// The values that the rig's file gives.
+    pub const NOMINAL: Self = Self {
+        m_h: 1.8,
+        m_b: 0.67948,
+        m_c: 3.433,
+        g: 9.81,
+        l_oc: 0.78,
+        l_ob: 0.33,
+        l_oa: 0.2296,
+        l_cd: 0.1,
+        l_df: 0.17,
+        I_psi: 1.469,
+        I_eps: 1.469,
+        I_theta: 0.0319,
+        a1: 0.2634,
+        a2: 1.6279,
+        a3: 25.6488,
+        b1: 0.531,
+        b2: 5.3292,
+        b3: 0.531,
+        b4: 0.1157,
+        c_psi: 0.4804,
+        c_eps: 0.301,
+        c_theta: 0.341,
+    };
+
+    /// All zero: where derivatives with respect to the parameters start from.
+    const ZERO: Self = Self::from_array([0.0; 22]);
+
+    /// From an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn from_array(values: [f64; 22]) -> Self {
+        let [
+            m_h, m_b, m_c, g, l_oc, l_ob, l_oa, l_cd, l_df, I_psi, I_eps, I_theta, a1, a2, a3, b1, b2, b3, b4, c_psi, c_eps, c_theta,
+        ] = values;
+        Self { m_h, m_b, m_c, g, l_oc, l_ob, l_oa, l_cd, l_df, I_psi, I_eps, I_theta, a1, a2, a3, b1, b2, b3, b4, c_psi, c_eps, c_theta }
+    }
+
+    /// As an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn to_array(&self) -> [f64; 22] {
+        [
+            self.m_h, self.m_b, self.m_c, self.g, self.l_oc, self.l_ob, self.l_oa, self.l_cd, self.l_df, self.I_psi, self.I_eps,
+            self.I_theta, self.a1, self.a2, self.a3, self.b1, self.b2, self.b3, self.b4, self.c_psi, self.c_eps, self.c_theta,
+        ]
+    }
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self::NOMINAL
+    }
+}
+
+/// Coordinates q.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coordinates {
+    /// yaw (travel) [rad]
+    pub psi: f64,
+    /// elevation [rad]
+    pub eps: f64,
+    /// pitch [rad]
+    pub theta: f64,
+}
+
+impl Coordinates {
+    /// From an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn from_array(values: [f64; 3]) -> Self {
+        let [psi, eps, theta] = values;
+        Self { psi, eps, theta }
+    }
+
+    /// As an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn to_array(&self) -> [f64; 3] {
+        [self.psi, self.eps, self.theta]
+    }
+}
+
+/// Rates v = q'.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rates {
+    /// yaw (travel) [rad/s]
+    pub psi: f64,
+    /// elevation [rad/s]
+    pub eps: f64,
+    /// pitch [rad/s]
+    pub theta: f64,
+}
+
+impl Rates {
+    /// From an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn from_array(values: [f64; 3]) -> Self {
+        let [psi, eps, theta] = values;
+        Self { psi, eps, theta }
+    }
+
+    /// As an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn to_array(&self) -> [f64; 3] {
+        [self.psi, self.eps, self.theta]
+    }
+}
+
+/// Accelerations a = q''.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Accelerations {
+    /// yaw (travel) [rad/s^2]
+    pub psi: f64,
+    /// elevation [rad/s^2]
+    pub eps: f64,
+    /// pitch [rad/s^2]
+    pub theta: f64,
+}
+
+impl Accelerations {
+    /// From an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn from_array(values: [f64; 3]) -> Self {
+        let [psi, eps, theta] = values;
+        Self { psi, eps, theta }
+    }
+
+    /// As an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn to_array(&self) -> [f64; 3] {
+        [self.psi, self.eps, self.theta]
+    }
+}
+
+/// Signals u: inputs, then accelerations of prescribed coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Inputs {
+    /// thrust of the rotor at -y [N]
+    pub f_1: f64,
+    /// thrust of the rotor at +y [N]
+    pub f_2: f64,
+}
+
+impl Inputs {
+    /// From an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn from_array(values: [f64; 2]) -> Self {
+        let [f_1, f_2] = values;
+        Self { f_1, f_2 }
+    }
+
+    /// As an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn to_array(&self) -> [f64; 2] {
+        [self.f_1, self.f_2]
+    }
+}
+
+/// Measured outputs y.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Outputs {
+    /// psi [rad]
+    pub psi: f64,
+    /// eps [rad]
+    pub eps: f64,
+    /// theta [rad]
+    pub theta: f64,
+}
+
+impl Outputs {
+    /// From an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn from_array(values: [f64; 3]) -> Self {
+        let [psi, eps, theta] = values;
+        Self { psi, eps, theta }
+    }
+
+    /// As an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn to_array(&self) -> [f64; 3] {
+        [self.psi, self.eps, self.theta]
+    }
+}
+
+/// State x = [q | v].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State {
+    /// Coordinates.
+    pub q: Coordinates,
+    /// Rates.
+    pub v: Rates,
+}
+
+impl State {
+    /// From an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn from_array(values: [f64; 6]) -> Self {
+        let [x0, x1, x2, x3, x4, x5] = values;
+        Self {
+            q: Coordinates::from_array([x0, x1, x2]),
+            v: Rates::from_array([x3, x4, x5]),
+        }
+    }
+
+    /// As an array in the model's order.
+    #[inline]
+    #[must_use]
+    pub const fn to_array(&self) -> [f64; 6] {
+        let [x0, x1, x2] = self.q.to_array();
+        let [x3, x4, x5] = self.v.to_array();
+        [x0, x1, x2, x3, x4, x5]
+    }
+}
+
+/// Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta).
+#[must_use]
+pub fn mass_matrix(_q: &Coordinates, _p: &Parameters) -> [[f64; 3]; 3] {
+    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+}
+
+/// Bias h(q, v) [unit of the row]: terms without rates and inputs, on the left-hand side; rows (psi, eps, theta).
+#[must_use]
+pub fn bias(q: &Coordinates, _v: &Rates, p: &Parameters) -> [f64; 3] {
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    // equation of eps
+    let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
+    [0.0, g_eps, p.a3 * s_theta * c_eps]
+}
+
+/// Bias of the equations as written [unit of the row]; rows (psi, eps, theta).
+#[must_use]
+pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 3] {
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    // equation of eps
+    let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
+    [0.0, g_eps, p.a3 * s_theta * c_eps]
+}
+
+/// Friction and dampers d(q, v) [unit of the row], on the left-hand side; rows (psi, eps, theta).
+#[must_use]
+pub fn dissipation(_q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 3] {
+    [p.c_psi * v.psi, p.c_eps * v.eps, p.c_theta * v.theta]
+}
+
+/// Generalized force Q [unit of the row] of the inputs; rows (psi, eps, theta).
+#[must_use]
+pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3] {
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    let f_s = u.f_1 + u.f_2;
+    let f_d = u.f_1 - u.f_2;
+    // equation of psi
+    let Q_psi = p.b3 * f_s * s_theta * c_eps - p.b4 * f_d * s_theta * s_eps;
+    [Q_psi, p.b1 * f_s * c_theta, p.b2 * f_d]
+}
+
+/// Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2).
+#[must_use]
+pub fn input_map(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 3] {
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    let b3_s_theta_c_eps = p.b3 * s_theta * c_eps;
+    let b4_s_theta_s_eps = p.b4 * s_theta * s_eps;
+    // equation of eps
+    let d_eps_ddot_by_f_1 = p.b1 * c_theta;
+    [
+        [b3_s_theta_c_eps - b4_s_theta_s_eps, b3_s_theta_c_eps + b4_s_theta_s_eps], // psi
+        [d_eps_ddot_by_f_1, d_eps_ddot_by_f_1], // eps
+        [p.b2, -p.b2], // theta
+    ]
+}
+
+/// Inverse dynamics M a + h + d - Q [unit of the row]: the generalized force that is missing for the accelerations a;
+/// zero where a, v, q and u fit together.
+#[must_use]
+pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters) -> [f64; 3] {
+    let State { q, v } = x;
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    let f_s = u.f_1 + u.f_2;
+    let f_d = u.f_1 - u.f_2;
+    // equation of psi
+    let Q_psi = p.b3 * f_s * s_theta * c_eps - p.b4 * f_d * s_theta * s_eps;
+    // equation of eps
+    let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
+    [
+        p.c_psi * v.psi + a.psi - Q_psi, // psi
+        p.c_eps * v.eps + a.eps + g_eps - p.b1 * f_s * c_theta, // eps
+        p.c_theta * v.theta + a.theta + p.a3 * s_theta * c_eps - p.b2 * f_d, // theta
+    ]
+}
+
+/// Measured outputs y(x), with scale and bias, without delay and quantization.
+#[must_use]
+pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
+    let State { q, .. } = x;
+    Outputs::from_array([q.psi, q.eps, q.theta])
+}
+
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/// 33 operations.
+///
+/// # Errors
+/// [`Singular`] where the mass matrix is not positive definite.
+pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Accelerations, Singular> {
+    let State { q, v } = x;
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    let f_s = u.f_1 + u.f_2;
+    let f_d = u.f_1 - u.f_2;
+    // equation of eps
+    let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
+    // balance of forces
+    let tau_psi = p.b3 * f_s * s_theta * c_eps - p.c_psi * v.psi - p.b4 * f_d * s_theta * s_eps;
+    let tau_eps = p.b1 * f_s * c_theta - p.c_eps * v.eps - g_eps;
+    let tau_theta = p.b2 * f_d - p.c_theta * v.theta - p.a3 * s_theta * c_eps;
+    Ok(Accelerations::from_array([tau_psi, tau_eps, tau_theta]))
+}
+
+/// x' and its Jacobians at one state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linearization {
+    /// x'.
+    pub dx: [f64; 6],
+    /// A = dx'/dx, 6 x 6.
+    pub a: [[f64; 6]; 6],
+    /// B = dx'/du, 6 x 2.
+    pub b: [[f64; 2]; 6],
+}
+
+/// State derivative and its Jacobians A, B, exact, at any state.
+/// 64 operations.
+///
+/// Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
+/// ```text
+///          psi eps theta psi.dot eps.dot theta.dot | f_1 f_2
+/// psi'     .   .   .     1       .       .         | .   .
+/// eps'     .   .   .     .       1       .         | .   .
+/// theta'   .   .   .     .       .       1         | .   .
+/// psi''    .   *   *     *       .       .         | *   *
+/// eps''    .   *   *     .       *       .         | *   *
+/// theta''  .   *   *     .       .       *         | *   *
+/// ```
+///
+/// # Errors
+/// [`Singular`] where the mass matrix is not positive definite.
+pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization, Singular> {
+    let State { q, v } = x;
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    let f_s = u.f_1 + u.f_2;
+    let f_d = u.f_1 - u.f_2;
+    let b3_s_theta = p.b3 * s_theta;
+    let b3_s_theta_c_eps = b3_s_theta * c_eps;
+    let b4_s_theta = p.b4 * s_theta;
+    let b4_s_theta_s_eps = b4_s_theta * s_eps;
+    let a1_c_theta = p.a1 * c_theta;
+    // equation of eps
+    let g_eps = a1_c_theta * s_eps + p.a2 * c_eps;
+    let d_eps_ddot_by_f_1 = p.b1 * c_theta;
+    let a3_c_eps = p.a3 * c_eps;
+    // balance of forces
+    let tau_psi = f_s * b3_s_theta_c_eps - p.c_psi * v.psi - f_d * b4_s_theta_s_eps;
+    let tau_eps = f_s * d_eps_ddot_by_f_1 - p.c_eps * v.eps - g_eps;
+    let tau_theta = p.b2 * f_d - p.c_theta * v.theta - a3_c_eps * s_theta;
+    // derivatives with respect to eps
+    let d_psi_ddot_by_eps = -f_s * b3_s_theta * s_eps - f_d * b4_s_theta * c_eps;
+    let d_eps_ddot_by_eps = p.a2 * s_eps - a1_c_theta * c_eps;
+    // derivatives with respect to theta
+    let d_psi_ddot_by_theta = p.b3 * f_s * c_eps * c_theta - p.b4 * f_d * s_eps * c_theta;
+    let d_eps_ddot_by_theta = p.a1 * s_eps * s_theta - p.b1 * f_s * s_theta;
+    Ok(Linearization {
+        dx: [v.psi, v.eps, v.theta, tau_psi, tau_eps, tau_theta],
+        a: [
+            [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], // psi'
+            [0.0, 0.0, 0.0, 0.0, 1.0, 0.0], // eps'
+            [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], // theta'
+            [0.0, d_psi_ddot_by_eps, d_psi_ddot_by_theta, -p.c_psi, 0.0, 0.0], // psi''
+            [0.0, d_eps_ddot_by_eps, d_eps_ddot_by_theta, 0.0, -p.c_eps, 0.0], // eps''
+            [0.0, p.a3 * s_theta * s_eps, -a3_c_eps * c_theta, 0.0, 0.0, -p.c_theta], // theta''
+        ],
+        b: [
+            [0.0, 0.0], // psi'
+            [0.0, 0.0], // eps'
+            [0.0, 0.0], // theta'
+            [b3_s_theta_c_eps - b4_s_theta_s_eps, b3_s_theta_c_eps + b4_s_theta_s_eps], // psi''
+            [d_eps_ddot_by_f_1, d_eps_ddot_by_f_1], // eps''
+            [p.b2, -p.b2], // theta''
+        ],
+    })
+}
+
+/// Parameter Jacobian dx'/dp, 6 x 22; columns in the order of [`Parameters`].
+///
+/// # Errors
+/// [`Singular`] where the mass matrix is not positive definite.
+pub fn parameter_jacobian(x: &State, u: &Inputs, _p: &Parameters) -> Result<[[f64; 22]; 6], Singular> {
+    let State { q, v } = x;
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    let f_s = u.f_1 + u.f_2;
+    let f_d = u.f_1 - u.f_2;
+    // derivatives with respect to a3
+    let d_theta_ddot_by_a3 = -s_theta * c_eps;
+    Ok([
+        [0.0; 22], // psi'
+        [0.0; 22], // eps'
+        [0.0; 22], // theta'
+        // psi''
+        Parameters { b3: -f_s * d_theta_ddot_by_a3, b4: -f_d * s_theta * s_eps, c_psi: -v.psi, ..Parameters::ZERO }.to_array(),
+        // eps''
+        Parameters { a1: -s_eps * c_theta, a2: -c_eps, b1: f_s * c_theta, c_eps: -v.eps, ..Parameters::ZERO }.to_array(),
+        // theta''
+        Parameters { a3: d_theta_ddot_by_a3, b2: f_d, c_theta: -v.theta, ..Parameters::ZERO }.to_array(),
+    ])
+}
+
+/// Jacobians of the measured outputs at one state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutputJacobian {
+    /// C = dy/dx, 3 x 6.
+    pub by_x: [[f64; 6]; 3],
+    /// dy/dp, 3 x 22.
+    pub by_p: [[f64; 22]; 3],
+}
+
+/// Jacobians of the measured outputs.
+#[must_use]
+pub fn output_jacobian(_x: &State, _p: &Parameters) -> OutputJacobian {
+    OutputJacobian {
+        by_x: [
+            [1.0, 0.0, 0.0, 0.0, 0.0, 0.0], // psi
+            [0.0, 1.0, 0.0, 0.0, 0.0, 0.0], // eps
+            [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], // theta
+        ],
+        by_p: [
+            [0.0; 22], // psi
+            [0.0; 22], // eps
+            [0.0; 22], // theta
+        ],
+    }
+}
+
+/// Names of the states.
+pub const STATE_NAMES: [&str; 6] = ["psi", "eps", "theta", "psi.dot", "eps.dot", "theta.dot"];
+/// Names of the signals.
+pub const INPUT_NAMES: [&str; 2] = ["f_1", "f_2"];
+/// Names of the parameters.
+pub const PARAMETER_NAMES: [&str; 22] = [
+    "m_h", "m_b", "m_c", "g", "l_oc", "l_ob", "l_oa", "l_cd", "l_df", "I_psi", "I_eps", "I_theta", "a1", "a2", "a3", "b1", "b2", "b3",
+    "b4", "c_psi", "c_eps", "c_theta",
+];
+/// Units of the parameters.
+pub const PARAMETER_UNITS: [&str; 22] = [
+    "kg", "kg", "kg", "m/s^2", "m", "m", "m", "m", "m", "kg*m^2", "kg*m^2", "kg*m^2", "1/s^2", "1/s^2", "1/s^2", "1/(kg*m)", "1/(kg*m)",
+    "1/(kg*m)", "1/(kg*m)", "1/s", "1/s", "1/s",
+];
+/// Names of the measured outputs.
+pub const OUTPUT_NAMES: [&str; 3] = ["psi", "eps", "theta"];
+/// Units of the measured outputs.
+pub const OUTPUT_UNITS: [&str; 3] = ["rad", "rad", "rad"];
+
+/// The rig behind the model trait: slices in, slices out, over the functions above.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct GoogolIdentified;
+
+impl Names for GoogolIdentified {
+    fn rig(&self) -> &str {
+        "GoogolIdentified"
+    }
+
+    fn state(&self, i: usize) -> &str {
+        STATE_NAMES.get(i).copied().unwrap_or_default()
+    }
+
+    fn signal(&self, i: usize) -> &str {
+        INPUT_NAMES.get(i).copied().unwrap_or_default()
+    }
+
+    fn parameter(&self, i: usize) -> &str {
+        PARAMETER_NAMES.get(i).copied().unwrap_or_default()
+    }
+
+    fn output(&self, i: usize) -> &str {
+        OUTPUT_NAMES.get(i).copied().unwrap_or_default()
+    }
+
+    fn parameter_unit(&self, i: usize) -> &str {
+        PARAMETER_UNITS.get(i).copied().unwrap_or_default()
+    }
+
+    fn output_unit(&self, i: usize) -> &str {
+        OUTPUT_UNITS.get(i).copied().unwrap_or_default()
+    }
+}
+
+impl Model for GoogolIdentified {
+    fn dimensions(&self) -> Dimensions {
+        Dimensions { coordinates: 3, lags: 0, inputs: 2, exogenous: 0, parameters: 22, outputs: 3 }
+    }
+
+    fn names(&self) -> &dyn Names {
+        self
+    }
+
+    fn nominal(&self, p: &mut [f64]) {
+        runtime::write(p, &Parameters::NOMINAL.to_array());
+    }
+
+    fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
+        let x = State::from_array(runtime::array(x));
+        let u = Inputs::from_array(runtime::array(u));
+        let p = Parameters::from_array(runtime::array(p));
+        let a = forward_dynamics(&x, &u, &p)?;
+        runtime::write_at(dx, 0, &x.v.to_array());
+        runtime::write_at(dx, 3, &a.to_array());
+        Ok(())
+    }
+
+    fn linearize(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64], a: &mut [f64], b: &mut [f64]) -> Result<(), Singular> {
+        let x = State::from_array(runtime::array(x));
+        let u = Inputs::from_array(runtime::array(u));
+        let p = Parameters::from_array(runtime::array(p));
+        let linear = linearize(&x, &u, &p)?;
+        runtime::write(dx, &linear.dx);
+        runtime::write(a, linear.a.as_flattened());
+        runtime::write(b, linear.b.as_flattened());
+        Ok(())
+    }
+
+    fn parameter_jacobian(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dfdp: &mut [f64]) -> Result<(), Singular> {
+        let x = State::from_array(runtime::array(x));
+        let u = Inputs::from_array(runtime::array(u));
+        let p = Parameters::from_array(runtime::array(p));
+        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        Ok(())
+    }
+
+    fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        runtime::write(y, &outputs(&x, &p).to_array());
+    }
+
+    fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        let slopes = output_jacobian(&x, &p);
+        runtime::write(c, slopes.by_x.as_flattened());
+        runtime::write(dhdp, slopes.by_p.as_flattened());
+    }
+
+    fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {
+        match i {
+            0 => InputPath { limits: (0.05, 4.0), delay: 0.0 },
+            1 => InputPath { limits: (0.05, 4.0), delay: 0.0 },
+            _ => InputPath { limits: (f64::NEG_INFINITY, f64::INFINITY), delay: 0.0 },
+        }
+    }
+
+    fn output_path(&self, i: usize, _p: &[f64]) -> OutputPath {
+        match i {
+            0 => OutputPath { quantum: 0.001308996938995747, wrapped: false, delay: 0.0 },
+            1 => OutputPath { quantum: 0.002617993877991494, wrapped: false, delay: 0.0 },
+            2 => OutputPath { quantum: 0.002617993877991494, wrapped: false, delay: 0.0 },
+            _ => OutputPath { delay: 0.0, quantum: 0.0, wrapped: false },
+        }
+    }
+}
