@@ -20,8 +20,9 @@ pub struct Factor {
 }
 
 /// Factors a matrix, symmetric or not.
-pub fn factor(g: &mut Graph, m: &[Vec<Id>], names: &[String], symmetric: bool) -> Factor {
+pub fn factor(g: &mut Graph, m: &[Vec<Id>], names: &[String]) -> Factor {
     let n = m.len();
+    let symmetric = (0..n).all(|i| (0..i).all(|j| m[i][j] == m[j][i]));
     let zero = g.zero();
     let one = g.one();
     let mut l = vec![vec![zero; n]; n];
