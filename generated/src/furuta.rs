@@ -700,14 +700,26 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 7], // alpha'
         // theta''
         Parameters {
-            m_r: d_theta_ddot_by_m_r, r: d_theta_ddot_by_r, m_p: d_theta_ddot_by_m_p, L_p: d_theta_ddot_by_L_p, J_m: d_theta_ddot_by_J_m,
-            J_h: d_theta_ddot_by_J_m, g: d_theta_ddot_by_g,
-        }.to_array(),
+            m_r: d_theta_ddot_by_m_r,
+            r: d_theta_ddot_by_r,
+            m_p: d_theta_ddot_by_m_p,
+            L_p: d_theta_ddot_by_L_p,
+            J_m: d_theta_ddot_by_J_m,
+            J_h: d_theta_ddot_by_J_m,
+            g: d_theta_ddot_by_g,
+        }
+        .to_array(),
         // alpha''
         Parameters {
-            m_r: d_alpha_ddot_by_m_r, r: d_alpha_ddot_by_r, m_p: d_alpha_ddot_by_m_p, L_p: d_alpha_ddot_by_L_p, J_m: d_alpha_ddot_by_J_m,
-            J_h: d_alpha_ddot_by_J_m, g: d_alpha_ddot_by_g,
-        }.to_array(),
+            m_r: d_alpha_ddot_by_m_r,
+            r: d_alpha_ddot_by_r,
+            m_p: d_alpha_ddot_by_m_p,
+            L_p: d_alpha_ddot_by_L_p,
+            J_m: d_alpha_ddot_by_J_m,
+            J_h: d_alpha_ddot_by_J_m,
+            g: d_alpha_ddot_by_g,
+        }
+        .to_array(),
     ])
 }
 
@@ -789,7 +801,7 @@ impl Model for Furuta {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -797,8 +809,8 @@ impl Model for Furuta {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 2, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 2, &a.to_array());
         Ok(())
     }
 
@@ -807,9 +819,9 @@ impl Model for Furuta {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -817,22 +829,22 @@ impl Model for Furuta {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

@@ -1290,23 +1290,58 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 14], // theta'
         // psi''
         Parameters {
-            m_h: d_psi_ddot_by_m_h, m_b: d_psi_ddot_by_m_b, m_c: d_psi_ddot_by_m_c, g: d_psi_ddot_by_g, l_oc: d_psi_ddot_by_l_oc,
-            l_ob: d_psi_ddot_by_l_ob, l_oa: d_psi_ddot_by_l_oa, l_cd: d_psi_ddot_by_l_cd, l_df: d_psi_ddot_by_l_df, I_x: d_psi_ddot_by_I_x,
-            I_z: d_psi_ddot_by_I_z, c0_psi: d_psi_ddot_by_c0_psi, c0_eps: d_psi_ddot_by_c0_eps, c0_theta: d_psi_ddot_by_c0_theta,
-        }.to_array(),
+            m_h: d_psi_ddot_by_m_h,
+            m_b: d_psi_ddot_by_m_b,
+            m_c: d_psi_ddot_by_m_c,
+            g: d_psi_ddot_by_g,
+            l_oc: d_psi_ddot_by_l_oc,
+            l_ob: d_psi_ddot_by_l_ob,
+            l_oa: d_psi_ddot_by_l_oa,
+            l_cd: d_psi_ddot_by_l_cd,
+            l_df: d_psi_ddot_by_l_df,
+            I_x: d_psi_ddot_by_I_x,
+            I_z: d_psi_ddot_by_I_z,
+            c0_psi: d_psi_ddot_by_c0_psi,
+            c0_eps: d_psi_ddot_by_c0_eps,
+            c0_theta: d_psi_ddot_by_c0_theta,
+        }
+        .to_array(),
         // eps''
         Parameters {
-            m_h: d_eps_ddot_by_m_h, m_b: d_eps_ddot_by_m_b, m_c: d_eps_ddot_by_m_c, g: d_eps_ddot_by_g, l_oc: d_eps_ddot_by_l_oc,
-            l_ob: d_eps_ddot_by_l_ob, l_oa: d_eps_ddot_by_l_oa, l_cd: d_eps_ddot_by_l_cd, l_df: d_eps_ddot_by_l_df, I_x: d_eps_ddot_by_I_x,
-            I_z: d_eps_ddot_by_I_z, c0_psi: d_eps_ddot_by_c0_psi, c0_eps: d_eps_ddot_by_c0_eps, c0_theta: d_eps_ddot_by_c0_theta,
-        }.to_array(),
+            m_h: d_eps_ddot_by_m_h,
+            m_b: d_eps_ddot_by_m_b,
+            m_c: d_eps_ddot_by_m_c,
+            g: d_eps_ddot_by_g,
+            l_oc: d_eps_ddot_by_l_oc,
+            l_ob: d_eps_ddot_by_l_ob,
+            l_oa: d_eps_ddot_by_l_oa,
+            l_cd: d_eps_ddot_by_l_cd,
+            l_df: d_eps_ddot_by_l_df,
+            I_x: d_eps_ddot_by_I_x,
+            I_z: d_eps_ddot_by_I_z,
+            c0_psi: d_eps_ddot_by_c0_psi,
+            c0_eps: d_eps_ddot_by_c0_eps,
+            c0_theta: d_eps_ddot_by_c0_theta,
+        }
+        .to_array(),
         // theta''
         Parameters {
-            m_h: d_theta_ddot_by_m_h, m_b: d_theta_ddot_by_m_b, m_c: d_theta_ddot_by_m_c, g: d_theta_ddot_by_g, l_oc: d_theta_ddot_by_l_oc,
-            l_ob: d_theta_ddot_by_l_ob, l_oa: d_theta_ddot_by_l_oa, l_cd: d_theta_ddot_by_l_cd, l_df: d_theta_ddot_by_l_df,
-            I_x: d_theta_ddot_by_I_x, I_z: d_theta_ddot_by_I_z, c0_psi: d_theta_ddot_by_c0_psi, c0_eps: d_theta_ddot_by_c0_eps,
+            m_h: d_theta_ddot_by_m_h,
+            m_b: d_theta_ddot_by_m_b,
+            m_c: d_theta_ddot_by_m_c,
+            g: d_theta_ddot_by_g,
+            l_oc: d_theta_ddot_by_l_oc,
+            l_ob: d_theta_ddot_by_l_ob,
+            l_oa: d_theta_ddot_by_l_oa,
+            l_cd: d_theta_ddot_by_l_cd,
+            l_df: d_theta_ddot_by_l_df,
+            I_x: d_theta_ddot_by_I_x,
+            I_z: d_theta_ddot_by_I_z,
+            c0_psi: d_theta_ddot_by_c0_psi,
+            c0_eps: d_theta_ddot_by_c0_eps,
             c0_theta: d_theta_ddot_by_c0_theta,
-        }.to_array(),
+        }
+        .to_array(),
     ])
 }
 
@@ -1395,7 +1430,7 @@ impl Model for Googol {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -1403,8 +1438,8 @@ impl Model for Googol {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 3, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 3, &a.to_array());
         Ok(())
     }
 
@@ -1413,9 +1448,9 @@ impl Model for Googol {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -1423,22 +1458,22 @@ impl Model for Googol {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

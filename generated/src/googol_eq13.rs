@@ -533,19 +533,39 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 15], // theta'
         // psi''
         Parameters {
-            l_oc: d_psi_ddot_by_l_oc, l_df: d_psi_ddot_by_l_df, c0_psi: -inv_psi * v.psi, I_psi: -inv_psi * tau_psi * inv_psi,
-        ..Parameters::ZERO }.to_array(),
+            l_oc: d_psi_ddot_by_l_oc,
+            l_df: d_psi_ddot_by_l_df,
+            c0_psi: -inv_psi * v.psi,
+            I_psi: -inv_psi * tau_psi * inv_psi,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // eps''
         Parameters {
-            m_h: -inv_eps * by_m_h_1, m_b: d_eps_ddot_by_m_b, m_c: d_eps_ddot_by_m_c, g: -inv_eps * by_g_1, l_oc: d_eps_ddot_by_l_oc,
-            l_ob: d_eps_ddot_by_l_ob, l_oa: d_eps_ddot_by_l_oa, l_cd: d_eps_ddot_by_l_cd, c0_eps: -inv_eps * v.eps,
+            m_h: -inv_eps * by_m_h_1,
+            m_b: d_eps_ddot_by_m_b,
+            m_c: d_eps_ddot_by_m_c,
+            g: -inv_eps * by_g_1,
+            l_oc: d_eps_ddot_by_l_oc,
+            l_ob: d_eps_ddot_by_l_ob,
+            l_oa: d_eps_ddot_by_l_oa,
+            l_cd: d_eps_ddot_by_l_cd,
+            c0_eps: -inv_eps * v.eps,
             I_eps: -inv_eps * tau_eps * inv_eps,
-        ..Parameters::ZERO }.to_array(),
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // theta''
         Parameters {
-            m_h: d_theta_ddot_by_m_h, g: d_theta_ddot_by_g, l_cd: -inv_theta * m_h_g_c_eps * s_theta, l_df: f_d * inv_theta,
-            c0_theta: -inv_theta * v.theta, I_theta: -inv_theta * tau_theta * inv_theta,
-        ..Parameters::ZERO }.to_array(),
+            m_h: d_theta_ddot_by_m_h,
+            g: d_theta_ddot_by_g,
+            l_cd: -inv_theta * m_h_g_c_eps * s_theta,
+            l_df: f_d * inv_theta,
+            c0_theta: -inv_theta * v.theta,
+            I_theta: -inv_theta * tau_theta * inv_theta,
+            ..Parameters::ZERO
+        }
+        .to_array(),
     ])
 }
 
@@ -636,7 +656,7 @@ impl Model for GoogolEq13 {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -644,8 +664,8 @@ impl Model for GoogolEq13 {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 3, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 3, &a.to_array());
         Ok(())
     }
 
@@ -654,9 +674,9 @@ impl Model for GoogolEq13 {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -664,22 +684,22 @@ impl Model for GoogolEq13 {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

@@ -6,7 +6,7 @@
 //! factor sin(theta); see `googol_eq13.rig`.
 //!
 //! Assumed: no velocity products; M = diag(I_psi, I_eps, I_theta).
-//! 50 operations forward, 98 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 50 operations forward, 98 with A and B. Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]
@@ -567,19 +567,39 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 17], // theta'
         // psi''
         Parameters {
-            l_oc: inv_psi * f_applied_heli_1_y * c_eps, l_df: d_psi_ddot_by_l_df, c0_psi: -inv_psi * v.psi, I_psi: -inv_psi * psi_ddot,
-        ..Parameters::ZERO }.to_array(),
+            l_oc: inv_psi * f_applied_heli_1_y * c_eps,
+            l_df: d_psi_ddot_by_l_df,
+            c0_psi: -inv_psi * v.psi,
+            I_psi: -inv_psi * psi_ddot,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // eps''
         Parameters {
-            m_h: -g_fuselage_1 * inv_eps, m_b: -g_l_oa_c_eps * inv_eps, m_c: g_l_ob_c_eps * inv_eps, g: d_eps_ddot_by_g,
-            l_oc: d_eps_ddot_by_l_oc, l_ob: p.m_c * inv_eps * a_arm_z, l_oa: -p.m_b * inv_eps * a_arm_z, l_cd: d_eps_ddot_by_l_cd,
-            c0_eps: -inv_eps * v.eps, I_eps: -inv_eps * tau_eps * inv_eps,
-        ..Parameters::ZERO }.to_array(),
+            m_h: -g_fuselage_1 * inv_eps,
+            m_b: -g_l_oa_c_eps * inv_eps,
+            m_c: g_l_ob_c_eps * inv_eps,
+            g: d_eps_ddot_by_g,
+            l_oc: d_eps_ddot_by_l_oc,
+            l_ob: p.m_c * inv_eps * a_arm_z,
+            l_oa: -p.m_b * inv_eps * a_arm_z,
+            l_cd: d_eps_ddot_by_l_cd,
+            c0_eps: -inv_eps * v.eps,
+            I_eps: -inv_eps * tau_eps * inv_eps,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // theta''
         Parameters {
-            m_h: -g_l_cd_c_eps_s_theta * inv_theta, g: -p.m_h * inv_theta * l_cd_c_eps_s_theta, l_cd: d_theta_ddot_by_l_cd,
-            l_df: inv_theta * (u.f_1 - u.f_2), c0_theta: -inv_theta * v.theta, I_theta: -inv_theta * tau_theta * inv_theta,
-        ..Parameters::ZERO }.to_array(),
+            m_h: -g_l_cd_c_eps_s_theta * inv_theta,
+            g: -p.m_h * inv_theta * l_cd_c_eps_s_theta,
+            l_cd: d_theta_ddot_by_l_cd,
+            l_df: inv_theta * (u.f_1 - u.f_2),
+            c0_theta: -inv_theta * v.theta,
+            I_theta: -inv_theta * tau_theta * inv_theta,
+            ..Parameters::ZERO
+        }
+        .to_array(),
     ])
 }
 
@@ -671,7 +691,7 @@ impl Model for GoogolMrb {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -679,8 +699,8 @@ impl Model for GoogolMrb {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 3, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 3, &a.to_array());
         Ok(())
     }
 
@@ -689,9 +709,9 @@ impl Model for GoogolMrb {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -699,22 +719,22 @@ impl Model for GoogolMrb {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

@@ -8,7 +8,7 @@
 //! Without l_cd there is no pitch stiffness, and at eps = +-90 deg the mass matrix is singular.
 //!
 //! Assumed: l_cd = 0; no velocity products; no friction.
-//! 75 operations forward, 191 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 75 operations forward, 191 with A and B. Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]
@@ -752,22 +752,52 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 15], // theta'
         // psi''
         Parameters {
-            m_h: d_psi_ddot_by_m_h, m_b: d_psi_ddot_by_m_b, m_c: d_psi_ddot_by_m_c, g: d_psi_ddot_by_g, l_oc: d_psi_ddot_by_l_oc,
-            l_ob: d_psi_ddot_by_l_ob, l_oa: d_psi_ddot_by_l_oa, l_df: d_psi_ddot_by_l_df, I_psi: d_psi_ddot_by_I_psi,
-            I_eps: d_psi_ddot_by_I_eps, I_theta: d_psi_ddot_by_I_theta,
-        ..Parameters::ZERO }.to_array(),
+            m_h: d_psi_ddot_by_m_h,
+            m_b: d_psi_ddot_by_m_b,
+            m_c: d_psi_ddot_by_m_c,
+            g: d_psi_ddot_by_g,
+            l_oc: d_psi_ddot_by_l_oc,
+            l_ob: d_psi_ddot_by_l_ob,
+            l_oa: d_psi_ddot_by_l_oa,
+            l_df: d_psi_ddot_by_l_df,
+            I_psi: d_psi_ddot_by_I_psi,
+            I_eps: d_psi_ddot_by_I_eps,
+            I_theta: d_psi_ddot_by_I_theta,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // eps''
         Parameters {
-            m_h: d_eps_ddot_by_m_h, m_b: d_eps_ddot_by_m_b, m_c: d_eps_ddot_by_m_c, g: d_eps_ddot_by_g, l_oc: d_eps_ddot_by_l_oc,
-            l_ob: d_eps_ddot_by_l_ob, l_oa: d_eps_ddot_by_l_oa, l_df: d_eps_ddot_by_l_df, I_psi: d_eps_ddot_by_I_psi,
-            I_eps: d_eps_ddot_by_I_eps, I_theta: d_eps_ddot_by_I_theta,
-        ..Parameters::ZERO }.to_array(),
+            m_h: d_eps_ddot_by_m_h,
+            m_b: d_eps_ddot_by_m_b,
+            m_c: d_eps_ddot_by_m_c,
+            g: d_eps_ddot_by_g,
+            l_oc: d_eps_ddot_by_l_oc,
+            l_ob: d_eps_ddot_by_l_ob,
+            l_oa: d_eps_ddot_by_l_oa,
+            l_df: d_eps_ddot_by_l_df,
+            I_psi: d_eps_ddot_by_I_psi,
+            I_eps: d_eps_ddot_by_I_eps,
+            I_theta: d_eps_ddot_by_I_theta,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // theta''
         Parameters {
-            m_h: d_theta_ddot_by_m_h, m_b: d_theta_ddot_by_m_b, m_c: d_theta_ddot_by_m_c, g: d_theta_ddot_by_g, l_oc: d_theta_ddot_by_l_oc,
-            l_ob: d_theta_ddot_by_l_ob, l_oa: d_theta_ddot_by_l_oa, l_df: d_theta_ddot_by_l_df, I_psi: d_theta_ddot_by_I_psi,
-            I_eps: d_theta_ddot_by_I_eps, I_theta: d_theta_ddot_by_I_theta,
-        ..Parameters::ZERO }.to_array(),
+            m_h: d_theta_ddot_by_m_h,
+            m_b: d_theta_ddot_by_m_b,
+            m_c: d_theta_ddot_by_m_c,
+            g: d_theta_ddot_by_g,
+            l_oc: d_theta_ddot_by_l_oc,
+            l_ob: d_theta_ddot_by_l_ob,
+            l_oa: d_theta_ddot_by_l_oa,
+            l_df: d_theta_ddot_by_l_df,
+            I_psi: d_theta_ddot_by_I_psi,
+            I_eps: d_theta_ddot_by_I_eps,
+            I_theta: d_theta_ddot_by_I_theta,
+            ..Parameters::ZERO
+        }
+        .to_array(),
     ])
 }
 
@@ -858,7 +888,7 @@ impl Model for GoogolSrb {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -866,8 +896,8 @@ impl Model for GoogolSrb {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 3, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 3, &a.to_array());
         Ok(())
     }
 
@@ -876,9 +906,9 @@ impl Model for GoogolSrb {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -886,22 +916,22 @@ impl Model for GoogolSrb {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {
