@@ -491,11 +491,30 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, _p: &Parameters) -> Result<[[f6
         [0.0; 22], // eps'
         [0.0; 22], // theta'
         // psi''
-        Parameters { b3: -f_s * d_theta_ddot_by_a3, b4: -f_d * s_theta * s_eps, c_psi: -v.psi, ..Parameters::ZERO }.to_array(),
+        Parameters {
+            b3: -f_s * d_theta_ddot_by_a3,
+            b4: -f_d * s_theta * s_eps,
+            c_psi: -v.psi,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // eps''
-        Parameters { a1: -s_eps * c_theta, a2: -c_eps, b1: f_s * c_theta, c_eps: -v.eps, ..Parameters::ZERO }.to_array(),
+        Parameters {
+            a1: -s_eps * c_theta,
+            a2: -c_eps,
+            b1: f_s * c_theta,
+            c_eps: -v.eps,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // theta''
-        Parameters { a3: d_theta_ddot_by_a3, b2: f_d, c_theta: -v.theta, ..Parameters::ZERO }.to_array(),
+        Parameters {
+            a3: d_theta_ddot_by_a3,
+            b2: f_d,
+            c_theta: -v.theta,
+            ..Parameters::ZERO
+        }
+        .to_array(),
     ])
 }
 
@@ -588,7 +607,7 @@ impl Model for GoogolIdentified {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -596,8 +615,8 @@ impl Model for GoogolIdentified {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 3, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 3, &a.to_array());
         Ok(())
     }
 
@@ -606,9 +625,9 @@ impl Model for GoogolIdentified {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -616,22 +635,22 @@ impl Model for GoogolIdentified {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

@@ -2,7 +2,7 @@
 //! Generated from `examples/rigs` by `cargo xtask gen`; edit the rigs, not these files.
 //!
 //! Each module has structs with named fields, a function a quantity, and a unit struct with the rig's
-//! name that implements `runtime::Model`. Without the feature `std` it needs `core` alone.
+//! name that implements `runtime::Model`. It needs `core` and `runtime` alone.
 #![no_std]
 #![forbid(unsafe_code)]
 

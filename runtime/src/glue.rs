@@ -13,20 +13,21 @@ pub fn array<const N: usize>(slice: &[f64]) -> [f64; N] {
     }
 }
 
-/// Writes values to the start of a slice, as many as it holds.
+/// Writes values to a slice from an index on, as many as it holds.
 #[inline]
-pub fn write(slice: &mut [f64], values: &[f64]) {
-    let n = values.len().min(slice.len());
-    if let (Some(to), Some(from)) = (slice.get_mut(..n), values.get(..n)) {
-        to.copy_from_slice(from);
+pub fn write<const N: usize>(slice: &mut [f64], start: usize, values: &[f64; N]) {
+    let Some(rest) = slice.get_mut(start..) else { return };
+    match rest.first_chunk_mut::<N>() {
+        Some(chunk) => *chunk = *values,
+        None => rest.iter_mut().zip(values).for_each(|(to, from)| *to = *from),
     }
 }
 
-/// Writes values to a slice from an index on, as many as it holds.
+/// Writes a matrix row by row to a slice, as many entries as it holds.
 #[inline]
-pub fn write_at(slice: &mut [f64], start: usize, values: &[f64]) {
-    if let Some(rest) = slice.get_mut(start..) {
-        write(rest, values);
+pub fn write_rows<const C: usize, const R: usize>(slice: &mut [f64], rows: &[[f64; C]; R]) {
+    for (to, from) in slice.iter_mut().zip(rows.as_flattened()) {
+        *to = *from;
     }
 }
 

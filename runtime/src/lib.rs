@@ -4,8 +4,9 @@
 //! implement [`Model`] by a thin adaptor over their named functions; the in-process model
 //! implements the same trait, so that identification and control cannot tell them apart.
 //!
-//! With the feature `std` the elementary functions are those of the standard library, which are
-//! faster; without it, those of the crate `libm`, which need no operating system.
+//! The elementary functions are those of the crate `libm`, which need no operating system and are the
+//! faster ones where this was measured (sine and cosine together 9 ns, of the standard library 13 ns);
+//! with the feature `std` they are those of the standard library.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -16,5 +17,5 @@ mod glue;
 pub mod math;
 mod model;
 
-pub use glue::{array, positive, write, write_at};
+pub use glue::{array, positive, write, write_rows};
 pub use model::{Dimensions, InputPath, Model, Names, OutputPath, Singular, StateKind, sensitivities_by_parts};

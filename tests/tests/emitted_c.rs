@@ -71,7 +71,10 @@ fn program(e: &Equations, prefix: &str, points: &[Point]) -> String {
             let _ = if function.outputs.iter().any(|o| o.shape == Shape::Scalar) {
                 writeln!(out, "        const double r0 = {call};\n        {puts}")
             } else if function.pivots.is_some() {
-                writeln!(out, "        const int status = {call};\n        printf(\"%d\\n\", status);\n        if (status == 0) {{ {puts} }}")
+                writeln!(
+                    out,
+                    "        const int status = {call};\n        printf(\"%d\\n\", status);\n        if (status == 0) {{ {puts} }}"
+                )
             } else {
                 writeln!(out, "        {call};\n        {puts}")
             };
@@ -111,7 +114,7 @@ fn every_function_agrees_with_the_graph() {
             for function in functions(&e) {
                 if let Some(pivots) = &function.pivots {
                     let values = e.graph.evaluate(&pivots.iter().map(|p| p.1).collect::<Vec<_>>(), |s| point.value(&e, s));
-                    let expected = pivots.iter().zip(values).find(|(_, d)| !(*d > 0.0)).map_or(0, |((i, _), _)| i + 1);
+                    let expected = pivots.iter().zip(values).find(|(_, d)| d.is_nan() || *d <= 0.0).map_or(0, |((i, _), _)| i + 1);
                     assert_eq!(next(), expected as f64, "{name}: status of {}", function.name);
                     if expected != 0 {
                         continue;

@@ -22,13 +22,17 @@ fn rigs() -> Vec<(String, Equations)> {
 }
 
 fn model_of(name: &str) -> &'static dyn Model {
-    generated::MODELS.iter().find(|m| m.0 == name).map(|m| m.1).unwrap_or_else(|| panic!("no generated model of {name}; run `cargo xtask gen`"))
+    generated::MODELS
+        .iter()
+        .find(|m| m.0 == name)
+        .map(|m| m.1)
+        .unwrap_or_else(|| panic!("no generated model of {name}; run `cargo xtask gen`"))
 }
 
 /// The coordinate of the first pivot that is not positive.
 fn singular_at(e: &Equations, point: &Point) -> Option<usize> {
     let pivots = e.graph.evaluate(&e.pivots, |s| point.value(e, s));
-    e.free.iter().zip(pivots).find(|(_, d)| !(*d > 0.0)).map(|(&i, _)| i)
+    e.free.iter().zip(pivots).find(|(_, d)| d.is_nan() || *d <= 0.0).map(|(&i, _)| i)
 }
 
 #[test]
@@ -36,7 +40,11 @@ fn checked_in_files_are_what_their_rigs_say() {
     for (name, e) in rigs() {
         let source = format!("{name}.rig");
         let c = codegen::emit::c(&e, &source);
-        let wanted = [(format!("src/{name}.rs"), codegen::emit::rust(&e, &source)), (format!("c/{}", c.header_name), c.header), (format!("c/{}", c.source_name), c.source)];
+        let wanted = [
+            (format!("src/{name}.rs"), codegen::emit::rust(&e, &source)),
+            (format!("c/{}", c.header_name), c.header),
+            (format!("c/{}", c.source_name), c.source),
+        ];
         for (file, text) in wanted {
             let found = std::fs::read_to_string(root().join("generated").join(&file)).unwrap_or_default();
             assert!(found == text, "generated/{file} is stale; run `cargo xtask gen`");
@@ -177,7 +185,9 @@ fn derivatives_are_those_of_the_emitted_functions() {
                     values(&w)
                 };
                 let Some(numeric) = slope(&along, h) else { continue };
-                let column = |matrix: &[f64], rows: usize, columns: usize, j: usize| (0..rows).map(|i| matrix[i * columns + j]).collect::<Vec<f64>>();
+                let column = |matrix: &[f64], rows: usize, columns: usize, j: usize| {
+                    (0..rows).map(|i| matrix[i * columns + j]).collect::<Vec<f64>>()
+                };
                 let exact: Vec<f64> = if j < n {
                     [column(&a, n, n, j), column(&c, ny, n, j)].concat()
                 } else if j < n + m {

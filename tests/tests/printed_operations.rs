@@ -15,7 +15,21 @@ mod fixtures {
 }
 
 const ONE: [F1; 16] = [
-    F1::Sin, F1::Cos, F1::Tan, F1::Asin, F1::Acos, F1::Atan, F1::Sinh, F1::Cosh, F1::Tanh, F1::Exp, F1::Ln, F1::Sqrt, F1::Abs, F1::Sign, F1::Step,
+    F1::Sin,
+    F1::Cos,
+    F1::Tan,
+    F1::Asin,
+    F1::Acos,
+    F1::Atan,
+    F1::Sinh,
+    F1::Cosh,
+    F1::Tanh,
+    F1::Exp,
+    F1::Ln,
+    F1::Sqrt,
+    F1::Abs,
+    F1::Sign,
+    F1::Step,
     F1::SmoothSign,
 ];
 const TWO: [F2; 4] = [F2::Atan2, F2::Min, F2::Max, F2::Pow];
@@ -49,7 +63,12 @@ fn cases() -> Vec<Case> {
     let mut list = Vec::new();
     for case in systematic() {
         for (k, &root) in case.roots.iter().enumerate() {
-            list.push(Case { name: format!("{}_{k}", case.name), graph: case.graph.clone(), symbols: case.symbols.clone(), roots: vec![root] });
+            list.push(Case {
+                name: format!("{}_{k}", case.name),
+                graph: case.graph.clone(),
+                symbols: case.symbols.clone(),
+                roots: vec![root],
+            });
         }
     }
     list.extend((0..RANDOM).map(|seed| case(&format!("random_{seed}"), |g, s| random_expressions(g, s, seed))));
@@ -161,12 +180,18 @@ fn agree(name: &str, language: &str, values: &[f64], wanted: &[f64]) {
 }
 
 fn fixture() -> String {
-    let mut out = String::from("//! Printed expressions: see `printed_operations.rs`, which writes this file and keeps it fresh.\n\nuse runtime::math::*;\n");
+    let mut out = String::from(
+        "//! Printed expressions: see `printed_operations.rs`, which writes this file and keeps it fresh.\n#![allow(non_snake_case)]\n\nuse runtime::math::*;\n",
+    );
     for case in cases() {
         let _ = write!(out, "\n{}", rust_function(&case.graph, &case.name, &case.symbols, &case.roots));
     }
     let calls: Vec<String> = cases().iter().map(|c| format!("        {0:?} => {0}(v[0], v[1], v[2], v[3]).to_vec(),\n", c.name)).collect();
-    let _ = write!(out, "\npub fn call(name: &str, v: [f64; 4]) -> Vec<f64> {{\n    match name {{\n{}        _ => Vec::new(),\n    }}\n}}\n", calls.concat());
+    let _ = write!(
+        out,
+        "\npub fn call(name: &str, v: [f64; 4]) -> Vec<f64> {{\n    match name {{\n{}        _ => Vec::new(),\n    }}\n}}\n",
+        calls.concat()
+    );
     out
 }
 
@@ -230,7 +255,10 @@ fn c_gives_the_values_of_the_graph() {
         for seed in 0..8 {
             let v = inputs(seed);
             let graph = case.graph.evaluate(&case.roots, |s| v[case.symbols.iter().position(|&x| x == s).unwrap_or(0)]);
-            let values: Vec<f64> = graph.iter().map(|_| lines.next().map_or(0.0, |l| if l.contains("nan") { f64::NAN } else { l.parse().unwrap_or(0.0) })).collect();
+            let values: Vec<f64> = graph
+                .iter()
+                .map(|_| lines.next().map_or(0.0, |l| if l.contains("nan") { f64::NAN } else { l.parse().unwrap_or(0.0) }))
+                .collect();
             agree(&case.name, "C", &values, &graph);
         }
     }

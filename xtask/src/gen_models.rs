@@ -52,7 +52,8 @@ fn models(root: &Path) -> Result<BTreeMap<PathBuf, String>, String> {
         let Some(stem) = path.file_stem().and_then(|s| s.to_str()) else {
             return Err(format!("{}: a module cannot have this name", path.display()));
         };
-        if stem.starts_with(|c: char| c.is_ascii_digit()) || !stem.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') {
+        if stem.starts_with(|c: char| c.is_ascii_digit()) || !stem.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+        {
             return Err(format!("{}: a module cannot have this name; use small letters, digits and `_`", path.display()));
         }
         let source = format!("{stem}.rig");
@@ -85,7 +86,7 @@ fn library(modules: &[(String, String, String)]) -> String {
         "//! Checked-in models of the example rigs, one module a rig.\n\
          //! Generated from `examples/rigs` by `cargo xtask gen`; edit the rigs, not these files.\n//!\n\
          //! Each module has structs with named fields, a function a quantity, and a unit struct with the rig's\n\
-         //! name that implements `runtime::Model`. Without the feature `std` it needs `core` alone.\n\
+         //! name that implements `runtime::Model`. It needs `core` and `runtime` alone.\n\
          #![no_std]\n#![forbid(unsafe_code)]\n",
     );
     for (module, title, _) in modules {

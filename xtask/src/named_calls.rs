@@ -17,7 +17,16 @@ pub fn start() -> String {
 pub fn write(out: &mut String, module: &str, equations: &Equations) {
     let list = functions(equations);
     let _ = writeln!(out, "\nfn {module}(given: &Arguments) -> Vec<Called> {{\n    use generated::{module}::*;");
-    for vector in [Vector::Time, Vector::State, Vector::Coordinates, Vector::Rates, Vector::Accelerations, Vector::Lags, Vector::Inputs, Vector::Parameters] {
+    for vector in [
+        Vector::Time,
+        Vector::State,
+        Vector::Coordinates,
+        Vector::Rates,
+        Vector::Accelerations,
+        Vector::Lags,
+        Vector::Inputs,
+        Vector::Parameters,
+    ] {
         if !list.iter().any(|f| f.arguments.contains(&vector)) {
             continue;
         }
@@ -43,7 +52,8 @@ pub fn write(out: &mut String, module: &str, equations: &Equations) {
             })
             .collect();
         let value = format!("vec![{}]", flat.join(", "));
-        let value = if function.pivots.is_some() { format!("{call}.map(|r| {value})") } else { format!("Ok({{ let r = {call}; {value} }})") };
+        let value =
+            if function.pivots.is_some() { format!("{call}.map(|r| {value})") } else { format!("Ok({{ let r = {call}; {value} }})") };
         let _ = writeln!(out, "        ({:?}, {value}),", function.name);
     }
     out.push_str("    ]\n}\n");

@@ -24,6 +24,9 @@ impl Header {
         }
         let jacobians = if e.linear.a.is_empty() { String::new() } else { format!(", {} with A and B", e.jacobian_operations()) };
         let checked = match e.cross_check {
+            CrossCheck::Agree { .. } if !e.assumptions.is_empty() => {
+                " Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds."
+            }
             CrossCheck::Agree { .. } => " Derived twice, body by body and by Lagrange: they agree; the power balance holds.",
             CrossCheck::NotApplicable => "",
         };

@@ -4,7 +4,7 @@
 use super::about::{Header, about};
 use super::form::{Form, number};
 use super::functions::{Function, Shape, Vector, entries, functions, place};
-use super::names::{Language, CALLED_C, LETTERS, Names, RESULTS_C, identifier, snake};
+use super::names::{CALLED_C, LETTERS, Language, Names, RESULTS_C, identifier, snake};
 use super::plan::{Defines, Plan, Statement, plan};
 use super::rust::{base_name, field_names, unit};
 use super::split::{Import, Part, split};
@@ -150,7 +150,8 @@ struct Fields {
 impl Fields {
     fn new(e: &Equations) -> Self {
         let all = [Vector::Coordinates, Vector::Rates, Vector::Accelerations, Vector::Lags, Vector::Inputs, Vector::Parameters];
-        let mut lists: Vec<(Vector, Vec<String>)> = all.iter().map(|&v| (v, field_names(Language::C, v, entries(e, v).unwrap_or(&[])))).collect();
+        let mut lists: Vec<(Vector, Vec<String>)> =
+            all.iter().map(|&v| (v, field_names(Language::C, v, entries(e, v).unwrap_or(&[])))).collect();
         let mut names = Names::new::<&str>(Language::C, &[]);
         lists.push((Vector::Outputs, e.layout.outputs.iter().map(|y| names.take(&y.name)).collect()));
         Self { prefix: identifier(Language::C, &snake(&e.layout.rig)), lists }
@@ -207,7 +208,10 @@ fn structs(out: &mut String, e: &Equations, fields: &Fields) {
     let prefix = &fields.prefix;
     let lags = if e.layout.z.is_empty() { String::new() } else { format!("    struct {prefix}_lags z;\n") };
     let letters = if e.layout.z.is_empty() { "q | v" } else { "q | v | z" };
-    let _ = writeln!(out, "/* State x = [{letters}]. */\nstruct {prefix}_state {{\n    struct {prefix}_coordinates q;\n    struct {prefix}_rates v;\n{lags}}};\n");
+    let _ = writeln!(
+        out,
+        "/* State x = [{letters}]. */\nstruct {prefix}_state {{\n    struct {prefix}_coordinates q;\n    struct {prefix}_rates v;\n{lags}}};\n"
+    );
 }
 
 fn field_doc(v: &Variable) -> String {
@@ -259,7 +263,14 @@ fn plain_name(function: &Function) -> String {
     identifier(Language::C, &function.name)
 }
 
-fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &Function, prototype: &str, calls: &mut BTreeSet<&'static str>) {
+fn write_function(
+    out: &mut String,
+    e: &Equations,
+    fields: &Fields,
+    function: &Function,
+    prototype: &str,
+    calls: &mut BTreeSet<&'static str>,
+) {
     let roots = function.roots();
     let plan = plan(&e.graph, &fields.vocabulary(e), Names::new(Language::C, &[LETTERS, RESULTS_C, CALLED_C].concat()), &roots);
     calls.extend(plan.calls.iter().copied());
@@ -356,7 +367,12 @@ fn assign(out: &mut String, left: &str, value: &Form, comment: &str) {
         let _ = writeln!(out, "{line}{comment}");
         return;
     }
-    let lines: Vec<String> = value.pieces().iter().enumerate().map(|(i, piece)| if i == 0 { piece.clone() } else { format!("\n        {}", piece.trim_start()) }).collect();
+    let lines: Vec<String> = value
+        .pieces()
+        .iter()
+        .enumerate()
+        .map(|(i, piece)| if i == 0 { piece.clone() } else { format!("\n        {}", piece.trim_start()) })
+        .collect();
     let _ = writeln!(out, "    {left}{};{comment}", lines.concat());
 }
 
@@ -386,7 +402,9 @@ fn write_results(out: &mut String, fields: &Fields, function: &Function, plan: &
                     assign(out, &format!("{}->{field} = ", output.name), value, "");
                 }
             }
-            Shape::Matrix(rows, columns) | Shape::OverParameters(rows, columns) => write_matrix(out, output.name, rows, columns, values, &row),
+            Shape::Matrix(rows, columns) | Shape::OverParameters(rows, columns) => {
+                write_matrix(out, output.name, rows, columns, values, &row)
+            }
         }
     }
     if function.pivots.is_some() {

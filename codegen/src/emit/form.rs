@@ -125,7 +125,11 @@ impl Form {
             return only;
         }
         *depth = (*depth).max(self.depth + 1);
-        Product { coefficient: 1.0, above: vec![Factor { rank: Rank::Sum, order: 0, text: format!("({})", self.text()) }], below: Vec::new() }
+        Product {
+            coefficient: 1.0,
+            above: vec![Factor { rank: Rank::Sum, order: 0, text: format!("({})", self.text()) }],
+            below: Vec::new(),
+        }
     }
 
     /// One line.

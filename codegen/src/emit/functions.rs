@@ -154,7 +154,13 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         }
     };
     let rows = format!("rows ({})", q_names.join(", "));
-    let array = |name: &'static str, doc: String, roots: &[Id]| Output { name, doc, shape: Shape::Array(roots.len()), roots: roots.to_vec(), rows: q_names.clone() };
+    let array = |name: &'static str, doc: String, roots: &[Id]| Output {
+        name,
+        doc,
+        shape: Shape::Array(roots.len()),
+        roots: roots.to_vec(),
+        rows: q_names.clone(),
+    };
     let mut list = Vec::new();
     let mut simple = |name: &str, doc: Vec<String>, base: &[Vector], output: Output| {
         let arguments = arguments(e, base, &output.roots);
@@ -170,7 +176,12 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         Output { name: "m", doc: "M".into(), shape: Shape::Matrix(n, n), roots: flat(&e.mass_matrix), rows: q_names.clone() },
     );
     let parts = if direct { "terms without rates and inputs, on the left-hand side" } else { "velocity products + gravity + springs" };
-    simple("bias", vec![format!("Bias h(q, v) {unit}: {parts}; {rows}.")], &[Coordinates, Rates, Parameters], array("h", "h".into(), &e.bias));
+    simple(
+        "bias",
+        vec![format!("Bias h(q, v) {unit}: {parts}; {rows}.")],
+        &[Coordinates, Rates, Parameters],
+        array("h", "h".into(), &e.bias),
+    );
     if let Some(coriolis) = &e.coriolis {
         simple(
             "velocity_products",
@@ -179,7 +190,11 @@ pub fn functions(e: &Equations) -> Vec<Function> {
             array("c", "C v".into(), coriolis),
         );
     }
-    let what = if direct { format!("Bias of the equations as written {unit}; {rows}.") } else { format!("Generalized gravity g(q) {unit}: what holds the rig still; {rows}.") };
+    let what = if direct {
+        format!("Bias of the equations as written {unit}; {rows}.")
+    } else {
+        format!("Generalized gravity g(q) {unit}: what holds the rig still; {rows}.")
+    };
     simple("gravity", vec![what], &[Coordinates, Parameters], array("g", "g".into(), &e.gravity));
     simple(
         "dissipation",
@@ -207,7 +222,12 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         simple("kinetic_energy", vec!["Kinetic energy T(q, v) [J].".into()], &[Coordinates, Rates, Parameters], scalar(kinetic, "T"));
     }
     if let Some(potential) = e.potential {
-        simple("potential_energy", vec!["Potential energy V(q) [J]: gravity and springs.".into()], &[Coordinates, Parameters], scalar(potential, "V"));
+        simple(
+            "potential_energy",
+            vec!["Potential energy V(q) [J]: gravity and springs.".into()],
+            &[Coordinates, Parameters],
+            scalar(potential, "V"),
+        );
     }
     for (i, s, rate) in &e.trajectories {
         let name = &l.q[*i].name;
@@ -215,7 +235,13 @@ pub fn functions(e: &Equations) -> Vec<Function> {
             &format!("trajectory_{name}"),
             vec![format!("Prescribed motion of {name}: position [{}] and rate at time t.", l.q[*i].unit)],
             &[Time, Parameters],
-            Output { name: "s", doc: "position and rate".into(), shape: Shape::Array(2), roots: vec![*s, *rate], rows: vec![name.clone(), format!("{name}'")] },
+            Output {
+                name: "s",
+                doc: "position and rate".into(),
+                shape: Shape::Array(2),
+                roots: vec![*s, *rate],
+                rows: vec![name.clone(), format!("{name}'")],
+            },
         );
     }
     if !e.lag_rates.is_empty() {
@@ -238,8 +264,14 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         array("r", "M a + h + d - Q".into(), &e.inverse_dynamics),
     );
     if !l.outputs.is_empty() {
-        let output = Output { name: "y", doc: "y".into(), shape: Shape::Named(Vector::Outputs), roots: e.outputs.clone(), rows: Vec::new() };
-        simple("outputs", vec!["Measured outputs y(x), with scale and bias, without delay and quantization.".into()], &[State, Parameters], output);
+        let output =
+            Output { name: "y", doc: "y".into(), shape: Shape::Named(Vector::Outputs), roots: e.outputs.clone(), rows: Vec::new() };
+        simple(
+            "outputs",
+            vec!["Measured outputs y(x), with scale and bias, without delay and quantization.".into()],
+            &[State, Parameters],
+            output,
+        );
     }
     let pivots: Vec<(usize, Id)> = e.pivots_as_eliminated().into_iter().filter(|(_, d)| e.graph.number_of(*d).is_none_or(|x| x <= 0.0)).collect();
     let dynamics = arguments(e, &[State, Inputs, Parameters], &e.state_derivative());
@@ -250,12 +282,18 @@ pub fn functions(e: &Equations) -> Vec<Function> {
             format!("{} operations.", e.forward_operations()),
         ],
         arguments: dynamics.clone(),
-        outputs: vec![Output { name: "a", doc: "a".into(), shape: Shape::Named(Accelerations), roots: e.acceleration.clone(), rows: Vec::new() }],
+        outputs: vec![Output {
+            name: "a",
+            doc: "a".into(),
+            shape: Shape::Named(Accelerations),
+            roots: e.acceleration.clone(),
+            rows: Vec::new(),
+        }],
         record: "",
         pivots: Some(pivots.clone()),
     });
     let states = l.states();
-    let state_rows: Vec<String> = l.x().map(|x| rate_of(x)).collect();
+    let state_rows: Vec<String> = l.x().map(rate_of).collect();
     let x_names: Vec<&str> = l.x().map(|x| x.name.as_str()).collect();
     let u_names: Vec<&str> = l.u.iter().map(|x| x.name.as_str()).collect();
     let mut linear = |name: &str, first: &str, linear: &Linear| {
@@ -266,21 +304,50 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         doc.push("```".into());
         let mut outputs = vec![
             Output { name: "dx", doc: "x'".into(), shape: Shape::Array(states), roots: e.state_derivative(), rows: state_rows.clone() },
-            Output { name: "a", doc: format!("A = dx'/dx, {states} x {states}"), shape: Shape::Matrix(states, states), roots: flat(&linear.a), rows: state_rows.clone() },
+            Output {
+                name: "a",
+                doc: format!("A = dx'/dx, {states} x {states}"),
+                shape: Shape::Matrix(states, states),
+                roots: flat(&linear.a),
+                rows: state_rows.clone(),
+            },
         ];
         if m > 0 {
-            outputs.push(Output { name: "b", doc: format!("B = dx'/du, {states} x {m}"), shape: Shape::Matrix(states, m), roots: flat(&linear.b), rows: state_rows.clone() });
+            outputs.push(Output {
+                name: "b",
+                doc: format!("B = dx'/du, {states} x {m}"),
+                shape: Shape::Matrix(states, m),
+                roots: flat(&linear.b),
+                rows: state_rows.clone(),
+            });
         }
-        list.push(Function { name: name.into(), doc, arguments: dynamics.clone(), outputs, record: "Linearization", pivots: Some(pivots.clone()) });
+        list.push(Function {
+            name: name.into(),
+            doc,
+            arguments: dynamics.clone(),
+            outputs,
+            record: "Linearization",
+            pivots: Some(pivots.clone()),
+        });
     };
     if !e.linear.a.is_empty() {
         linear("linearize", "State derivative and its Jacobians A, B, exact, at any state.", &e.linear);
         if let Some(smooth) = &e.linear_without_friction_slope {
-            linear("linearize_without_friction_slope", "As [`linearize`], without the slope of regularized Coulomb friction (at rest an artefact of its width).", smooth);
+            linear(
+                "linearize_without_friction_slope",
+                "As [`linearize`], without the slope of regularized Coulomb friction (at rest an artefact of its width).",
+                smooth,
+            );
         }
         let np = l.p.len();
         if np > 0 {
-            let output = Output { name: "by_p", doc: format!("dx'/dp, {states} x {np}"), shape: Shape::OverParameters(states, np), roots: flat(&e.parameter_jacobian), rows: state_rows.clone() };
+            let output = Output {
+                name: "by_p",
+                doc: format!("dx'/dp, {states} x {np}"),
+                shape: Shape::OverParameters(states, np),
+                roots: flat(&e.parameter_jacobian),
+                rows: state_rows.clone(),
+            };
             list.push(Function {
                 name: "parameter_jacobian".into(),
                 doc: vec![format!("Parameter Jacobian dx'/dp, {states} x {np}; columns in the order of [`Parameters`].")],
@@ -293,9 +360,21 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         let ny = l.outputs.len();
         if ny > 0 {
             let rows: Vec<String> = l.outputs.iter().map(|y| y.name.clone()).collect();
-            let mut outputs = vec![Output { name: "by_x", doc: format!("C = dy/dx, {ny} x {states}"), shape: Shape::Matrix(ny, states), roots: flat(&e.output_jacobian), rows: rows.clone() }];
+            let mut outputs = vec![Output {
+                name: "by_x",
+                doc: format!("C = dy/dx, {ny} x {states}"),
+                shape: Shape::Matrix(ny, states),
+                roots: flat(&e.output_jacobian),
+                rows: rows.clone(),
+            }];
             if np > 0 {
-                outputs.push(Output { name: "by_p", doc: format!("dy/dp, {ny} x {np}"), shape: Shape::OverParameters(ny, np), roots: flat(&e.output_parameter_jacobian), rows });
+                outputs.push(Output {
+                    name: "by_p",
+                    doc: format!("dy/dp, {ny} x {np}"),
+                    shape: Shape::OverParameters(ny, np),
+                    roots: flat(&e.output_parameter_jacobian),
+                    rows,
+                });
             }
             let roots: Vec<Id> = outputs.iter().flat_map(|o| o.roots.iter().copied()).collect();
             list.push(Function {
@@ -324,7 +403,8 @@ pub fn arguments(e: &Equations, base: &[Vector], roots: &[Id]) -> Vec<Vector> {
     let mut all: Vec<Vector> = base.to_vec();
     for s in e.graph.symbols_of(roots) {
         let vector = Vector::of(e.graph.symbol_info(s).kind);
-        if !(vector.is_part_of_state() && base.contains(&Vector::State)) && !all.contains(&vector) {
+        let is_within_state = vector.is_part_of_state() && base.contains(&Vector::State);
+        if !is_within_state && !all.contains(&vector) {
             all.push(vector);
         }
     }

@@ -12,20 +12,86 @@ pub enum Language {
 }
 
 const RUST: &[&str] = &[
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else", "enum", "extern", "false",
-    "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
-    "return", "self", "Self", "static", "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use", "virtual",
-    "where", "while", "yield", "_",
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else", "enum", "extern",
+    "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv",
+    "pub", "ref", "return", "self", "Self", "static", "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe",
+    "unsized", "use", "virtual", "where", "while", "yield", "_",
 ];
 
 const C: &[&str] = &[
-    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum", "extern", "float", "for", "goto", "if",
-    "inline", "int", "long", "register", "restrict", "return", "short", "signed", "sizeof", "static", "struct", "switch", "typedef", "union",
-    "unsigned", "void", "volatile", "while", "_Bool", "_Complex", "_Imaginary",
+    "auto",
+    "break",
+    "case",
+    "char",
+    "const",
+    "continue",
+    "default",
+    "do",
+    "double",
+    "else",
+    "enum",
+    "extern",
+    "float",
+    "for",
+    "goto",
+    "if",
+    "inline",
+    "int",
+    "long",
+    "register",
+    "restrict",
+    "return",
+    "short",
+    "signed",
+    "sizeof",
+    "static",
+    "struct",
+    "switch",
+    "typedef",
+    "union",
+    "unsigned",
+    "void",
+    "volatile",
+    "while",
+    "_Bool",
+    "_Complex",
+    "_Imaginary",
     // C++ includes the header too; some compilers define the last ones as macros
-    "asm", "bool", "catch", "class", "delete", "explicit", "export", "false", "friend", "mutable", "namespace", "new", "operator", "private",
-    "protected", "public", "template", "this", "throw", "true", "try", "typename", "using", "virtual", "and", "or", "not", "xor", "NAN",
-    "INFINITY", "NULL", "M_PI", "linux", "unix", "_",
+    "asm",
+    "bool",
+    "catch",
+    "class",
+    "delete",
+    "explicit",
+    "export",
+    "false",
+    "friend",
+    "mutable",
+    "namespace",
+    "new",
+    "operator",
+    "private",
+    "protected",
+    "public",
+    "template",
+    "this",
+    "throw",
+    "true",
+    "try",
+    "typename",
+    "using",
+    "virtual",
+    "and",
+    "or",
+    "not",
+    "xor",
+    "NAN",
+    "INFINITY",
+    "NULL",
+    "M_PI",
+    "linux",
+    "unix",
+    "_",
 ];
 
 /// Arguments of a model's functions.
@@ -33,8 +99,8 @@ pub const LETTERS: &[&str] = &["t", "x", "q", "v", "a", "z", "u", "p"];
 
 /// Functions and values that bodies of functions call by their names.
 pub const CALLED_RUST: &[&str] = &[
-    "sin", "cos", "sin_cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt",
-    "abs", "sign", "step", "atan2", "min", "max", "pow", "powi", "positive", "Ok", "Err", "Some", "None",
+    "sin", "cos", "sin_cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "sign", "step", "atan2",
+    "min", "max", "pow", "powi", "positive", "Ok", "Err", "Some", "None",
 ];
 
 /// Results of a model's functions in C, where they are arguments.
@@ -42,8 +108,8 @@ pub const RESULTS_C: &[&str] = &["m", "h", "c", "g", "d", "f", "s", "r", "y", "b
 
 /// The same for C.
 pub const CALLED_C: &[&str] = &[
-    "sin", "cos", "tan", "asin",
-    "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "fabs", "fmin", "fmax", "pow", "atan2", "sign", "step", "powi",
+    "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "fabs", "fmin", "fmax", "pow", "atan2",
+    "sign", "step", "powi",
 ];
 
 /// Hands out identifiers, each once.
@@ -168,6 +234,9 @@ mod tests {
         assert_eq!(snake("GoogolEq13"), "googol_eq13");
         assert_eq!(snake("CartPole"), "cart_pole");
         let mut names = Names::new(Language::C, &["q"]);
-        assert_eq!([names.take("q"), names.take("θ"), names.take("theta"), names.take("l_1"), names.take("l_1")], ["q_2", "theta", "theta_2", "l_1", "l_1_2"]);
+        assert_eq!(
+            [names.take("q"), names.take("θ"), names.take("theta"), names.take("l_1"), names.take("l_1")],
+            ["q_2", "theta", "theta_2", "l_1", "l_1_2"]
+        );
     }
 }

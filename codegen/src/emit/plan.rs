@@ -159,12 +159,22 @@ impl<'a> Planner<'a> {
             let mut form = self.form(node, &mut |operand| self.estimate(operand, &forms));
             while form.text().len() > LONGEST || form.depth() > DEEPEST {
                 let inline = |x: Id| forms.get(&self.without_sign(x)).map_or(0, |(f, _)| f.text().len() + 200 * f.depth());
-                let candidates = node.operands().into_iter().flatten().map(|x| self.without_sign(x)).filter(|&x| !self.graph.node(x).is_leaf() && !self.named.contains_key(&x));
+                let candidates = node
+                    .operands()
+                    .into_iter()
+                    .flatten()
+                    .map(|x| self.without_sign(x))
+                    .filter(|&x| !self.graph.node(x).is_leaf() && !self.named.contains_key(&x));
                 let Some(longest) = candidates.max_by_key(|&x| inline(x)) else { break };
                 self.named.insert(longest, UNSCHEDULED);
                 form = self.form(node, &mut |operand| self.estimate(operand, &forms));
             }
-            let weight = 1 + node.operands().into_iter().flatten().map(|x| if self.named.contains_key(&x) { 0 } else { forms.get(&x).map_or(0, |f| f.1) }).sum::<usize>();
+            let weight = 1 + node
+                .operands()
+                .into_iter()
+                .flatten()
+                .map(|x| if self.named.contains_key(&x) { 0 } else { forms.get(&x).map_or(0, |f| f.1) })
+                .sum::<usize>();
             let weight = if node.is_leaf() { 0 } else { weight };
             let shared = self.uses.get(&id).is_some_and(|&n| n > 1);
             let gets_a_name = match node {
@@ -347,7 +357,13 @@ impl<'a> Planner<'a> {
                     Defines::Value { name, value }
                 }
             };
-            statements.push(Statement { scope: self.graph.scope_of(id).to_owned(), needs_comment, defines, uses: uses.into_iter().collect(), symbols });
+            statements.push(Statement {
+                scope: self.graph.scope_of(id).to_owned(),
+                needs_comment,
+                defines,
+                uses: uses.into_iter().collect(),
+                symbols,
+            });
         }
         let results = roots.iter().map(|&root| self.written(root, &mut calls)).collect();
         let (mut needed, mut symbols) = (Vec::new(), Vec::new());
@@ -436,6 +452,7 @@ impl<'a> Planner<'a> {
                 let x = f64::from_bits(bits);
                 let size = x.abs();
                 let word = match size {
+                    1.0 => "one",
                     0.5 => "half",
                     0.25 => "quarter",
                     2.0 => "two",

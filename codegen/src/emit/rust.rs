@@ -5,7 +5,7 @@
 use super::about::{Header, about};
 use super::form::Form;
 use super::functions::{Function, Output, Shape, Vector, entries, functions, place};
-use super::names::{Language, Names, CALLED_RUST, LETTERS, identifier};
+use super::names::{CALLED_RUST, LETTERS, Language, Names, identifier};
 use super::plan::{Defines, Plan, Statement, plan};
 use super::rust_model;
 use super::split::{Part, split};
@@ -36,7 +36,7 @@ pub fn rust(equations: &Equations, source: &str) -> String {
         rust_model::write(&mut body, equations, &fields, &mut calls);
         uses.extend(["Dimensions", "InputPath", "Model", "Names", "OutputPath"]);
     }
-    uses.extend(["Singular", "positive"].iter().filter(|name| body.contains(&format!("{name}("))  || **name == "Singular"));
+    uses.extend(["Singular", "positive"].iter().filter(|name| body.contains(&format!("{name}(")) || **name == "Singular"));
     let mut out = String::new();
     for line in Header::new(equations, source).lines() {
         let _ = writeln!(out, "{}", format!("//! {line}").trim_end());
@@ -70,7 +70,8 @@ pub fn rust_function(graph: &Graph, name: &str, arguments: &[SymbolId], results:
     });
     let plan = plan(graph, &vocabulary, names, results);
     let read = plan.symbols();
-    let typed: Vec<String> = given.iter().zip(arguments).map(|(a, s)| format!("{}{a}: f64", if read.contains(s) { "" } else { "_" })).collect();
+    let typed: Vec<String> =
+        given.iter().zip(arguments).map(|(a, s)| format!("{}{a}: f64", if read.contains(s) { "" } else { "_" })).collect();
     let mut out = format!("pub fn {}({}) -> [f64; {}] {{\n", identifier(Language::Rust, name), typed.join(", "), results.len());
     for statement in &plan.statements {
         write_statement(&mut out, statement, 4);
@@ -95,7 +96,19 @@ impl Fields {
         let mut names = Names::new::<&str>(Language::Rust, &[]);
         lists.push((Vector::Outputs, e.layout.outputs.iter().map(|y| names.take(&y.name)).collect()));
         let mut types: Vec<&str> = TYPES.iter().map(|t| t.1).collect();
-        types.extend(["Linearization", "OutputJacobian", "Dimensions", "InputPath", "Model", "Names", "OutputPath", "Singular", "Ok", "Err", "Result"]);
+        types.extend([
+            "Linearization",
+            "OutputJacobian",
+            "Dimensions",
+            "InputPath",
+            "Model",
+            "Names",
+            "OutputPath",
+            "Singular",
+            "Ok",
+            "Err",
+            "Result",
+        ]);
         let model = Names::new(Language::Rust, &types).take(&e.layout.rig);
         Self { model, lists }
     }
@@ -129,7 +142,16 @@ impl Fields {
 
 /// Constants of a module, besides those of structs.
 const CONSTANTS: &[&str] = &[
-    "COORDINATES", "STATES", "INPUTS", "PARAMETERS", "OUTPUTS", "STATE_NAMES", "INPUT_NAMES", "PARAMETER_NAMES", "PARAMETER_UNITS", "OUTPUT_NAMES",
+    "COORDINATES",
+    "STATES",
+    "INPUTS",
+    "PARAMETERS",
+    "OUTPUTS",
+    "STATE_NAMES",
+    "INPUT_NAMES",
+    "PARAMETER_NAMES",
+    "PARAMETER_UNITS",
+    "OUTPUT_NAMES",
     "OUTPUT_UNITS",
 ];
 
@@ -180,7 +202,7 @@ fn structs(out: &mut String, e: &Equations, fields: &Fields) {
                 continue;
             }
             Vector::Outputs => e.layout.outputs.iter().map(|y| format!("{} [{}]", y.name, unit(&y.unit))).collect(),
-            _ => entries(e, vector).unwrap_or(&[]).iter().map(|v| field_doc(v)).collect(),
+            _ => entries(e, vector).unwrap_or(&[]).iter().map(field_doc).collect(),
         };
         let names = fields.of(vector);
         if names.is_empty() {
@@ -200,7 +222,11 @@ fn structs(out: &mut String, e: &Equations, fields: &Fields) {
             }
             out.push_str("    };\n\n");
             if functions(e).iter().any(|f| f.has_sparse_rows(&e.graph)) {
-                let _ = writeln!(out, "    /// All zero: where derivatives with respect to the parameters start from.\n    const ZERO: Self = Self::from_array([0.0; {}]);\n", names.len());
+                let _ = writeln!(
+                    out,
+                    "    /// All zero: where derivatives with respect to the parameters start from.\n    const ZERO: Self = Self::from_array([0.0; {}]);\n",
+                    names.len()
+                );
             }
         }
         let _ = writeln!(out, "    /// From an array in the model's order.\n    #[inline]\n    #[must_use]");
@@ -223,13 +249,18 @@ fn structs(out: &mut String, e: &Equations, fields: &Fields) {
 
 fn state_struct(out: &mut String, e: &Equations) {
     let l = &e.layout;
-    let parts: Vec<(&str, &str, &str, usize)> = [("q", "Coordinates", "Coordinates.", l.q.len()), ("v", "Rates", "Rates.", l.v.len()), ("z", "Lags", "Actuator states.", l.z.len())]
-        .into_iter()
-        .filter(|p| p.3 > 0)
-        .collect();
+    let parts: Vec<(&str, &str, &str, usize)> = [
+        ("q", "Coordinates", "Coordinates.", l.q.len()),
+        ("v", "Rates", "Rates.", l.v.len()),
+        ("z", "Lags", "Actuator states.", l.z.len()),
+    ]
+    .into_iter()
+    .filter(|p| p.3 > 0)
+    .collect();
     let letters: Vec<&str> = parts.iter().map(|p| p.0).collect();
     let n = l.states();
-    let _ = writeln!(out, "/// State x = [{}].\n#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct State {{", letters.join(" | "));
+    let _ =
+        writeln!(out, "/// State x = [{}].\n#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct State {{", letters.join(" | "));
     for (field, name, doc, _) in &parts {
         let _ = writeln!(out, "    /// {doc}\n    pub {field}: {name},");
     }
@@ -325,7 +356,11 @@ fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &F
 }
 
 fn record(out: &mut String, function: &Function) {
-    let what = if function.record == "Linearization" { "x' and its Jacobians at one state." } else { "Jacobians of the measured outputs at one state." };
+    let what = if function.record == "Linearization" {
+        "x' and its Jacobians at one state."
+    } else {
+        "Jacobians of the measured outputs at one state."
+    };
     let _ = writeln!(out, "/// {what}\n#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {} {{", function.record);
     for output in &function.outputs {
         let _ = writeln!(out, "    /// {}.\n    pub {}: {},", output.doc, output.name, shape_type(output.shape));
@@ -423,7 +458,12 @@ pub(super) fn write_statement(out: &mut String, statement: &Statement, indent: u
 /// An expression in several lines, rustfmt's way: each further term starts a line.
 fn broken(value: &Form, indent: usize) -> String {
     let more = indent + 4;
-    let lines: Vec<String> = value.pieces().iter().enumerate().map(|(i, piece)| if i == 0 { piece.clone() } else { format!("\n{:more$}{}", "", piece.trim_start()) }).collect();
+    let lines: Vec<String> = value
+        .pieces()
+        .iter()
+        .enumerate()
+        .map(|(i, piece)| if i == 0 { piece.clone() } else { format!("\n{:more$}{}", "", piece.trim_start()) })
+        .collect();
     lines.concat()
 }
 
@@ -505,27 +545,33 @@ fn write_value(out: &mut String, fields: &Fields, indent: usize, before: &str, o
             let _ = writeln!(out, "{:indent$}{before}[", "");
             let inner = indent + 4;
             for (row, name) in values.chunks(columns.max(1)).zip(&output.rows) {
-                let listed: Vec<Form> = fields
+                let listed: Vec<String> = fields
                     .of(Vector::Parameters)
                     .iter()
                     .zip(row)
                     .map(|(field, value)| (field, value.text()))
                     .filter(|(_, text)| text != "0.0")
-                    .map(|(field, text)| Form::atom(super::form::Rank::Named, format!("{field}: {text}")))
+                    .map(|(field, text)| format!("{field}: {text}"))
                     .collect();
                 if listed.is_empty() {
                     let _ = writeln!(out, "{:inner$}[0.0; {columns}], // {name}", "");
                     continue;
                 }
-                let others = if listed.len() < columns { ", ..Parameters::ZERO" } else { "" };
-                let _ = writeln!(out, "{:inner$}// {name}", "");
-                write_list(out, inner, "Parameters { ", &listed, &[], &format!("{others} }}.to_array(),"));
+                let _ = writeln!(out, "{:inner$}// {name}\n{:inner$}Parameters {{", "", "");
+                for entry in &listed {
+                    let _ = writeln!(out, "{:1$}{entry},", "", inner + 4);
+                }
+                if listed.len() < columns {
+                    let _ = writeln!(out, "{:1$}..Parameters::ZERO", "", inner + 4);
+                }
+                let _ = writeln!(out, "{:inner$}}}\n{:inner$}.to_array(),", "", "");
             }
             let _ = writeln!(out, "{:indent$}]{after}", "");
         }
         Shape::Matrix(_, columns) => {
             let rows: Vec<&[Form]> = values.chunks(columns.max(1)).collect();
-            let texts: Vec<String> = rows.iter().map(|row| format!("[{}]", row.iter().map(Form::text).collect::<Vec<_>>().join(", "))).collect();
+            let texts: Vec<String> =
+                rows.iter().map(|row| format!("[{}]", row.iter().map(Form::text).collect::<Vec<_>>().join(", "))).collect();
             let line = format!("{:indent$}{before}[{}]{after}", "", texts.join(", "));
             if line.chars().count() <= 100 {
                 let _ = writeln!(out, "{line}");

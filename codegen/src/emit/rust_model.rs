@@ -1,9 +1,9 @@
 //! The model trait over the named functions of an emitted module.
 
+use super::form::{Form, Rank, number};
 use super::functions::Vector;
 use super::plan::plan;
 use super::rust::{Fields, type_of, unit, write_list};
-use super::form::{Form, Rank, number};
 use crate::equations::Equations;
 use crate::expr::Id;
 use std::collections::BTreeSet;
@@ -12,7 +12,7 @@ use std::fmt::Write;
 /// Writes the unit struct of the rig, its names and its implementation of `runtime::Model`.
 pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTreeSet<&'static str>) {
     let l = &e.layout;
-    let (n, m, np, ny) = (l.states(), l.u.len(), l.p.len(), l.outputs.len());
+    let (m, np, ny) = (l.u.len(), l.p.len(), l.outputs.len());
     let model = &fields.model;
     for (name, doc, values) in [
         ("STATE_NAMES", "Names of the states.", l.x().map(|v| v.name.as_str()).collect::<Vec<_>>()),
@@ -41,7 +41,8 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
         ("parameter_unit", "PARAMETER_UNITS"),
         ("output_unit", "OUTPUT_UNITS"),
     ] {
-        let _ = write!(out, "\n    fn {function}(&self, i: usize) -> &str {{\n        {list}.get(i).copied().unwrap_or_default()\n    }}\n");
+        let _ =
+            write!(out, "\n    fn {function}(&self, i: usize) -> &str {{\n        {list}.get(i).copied().unwrap_or_default()\n    }}\n");
     }
     let _ = write!(
         out,
@@ -53,14 +54,14 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
         l.inputs,
         m - l.inputs,
     );
-    let nominal = if np > 0 { "runtime::write(p, &Parameters::NOMINAL.to_array());" } else { "let _ = p;" };
+    let nominal = if np > 0 { "runtime::write(p, 0, &Parameters::NOMINAL.to_array());" } else { "let _ = p;" };
     let _ = write!(out, "\n    fn nominal(&self, p: &mut [f64]) {{\n        {nominal}\n    }}\n");
 
     let list = super::functions::functions(e);
     let arguments = |name: &str| list.iter().find(|f| f.name == name).map_or(Vec::new(), |f| f.arguments.clone());
-    let uses_time = |name: &str| arguments(name).contains(&Vector::Time);
     let call = |name: &str| {
-        let given: Vec<String> = arguments(name).iter().map(|v| if *v == Vector::Time { "t".to_owned() } else { format!("&{}", v.letter()) }).collect();
+        let given: Vec<String> =
+            arguments(name).iter().map(|v| if *v == Vector::Time { "t".to_owned() } else { format!("&{}", v.letter()) }).collect();
         format!("{name}({})", given.join(", "))
     };
     let unpack = |name: &str| {
@@ -75,7 +76,8 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
     // names of arguments that the trait hands over and this model does not need start with an underscore
     let head = |name: &str, wanted: &[(Vector, &str)]| {
         let has = arguments(name);
-        let list: Vec<String> = wanted.iter().map(|(v, ty)| format!("{}{}: {ty}", if has.contains(v) { "" } else { "_" }, v.letter())).collect();
+        let list: Vec<String> =
+            wanted.iter().map(|(v, ty)| format!("{}{}: {ty}", if has.contains(v) { "" } else { "_" }, v.letter())).collect();
         list.join(", ")
     };
     let slice = "&[f64]";
@@ -84,11 +86,16 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
 
     // x' = [v | a | z']
     let nq = l.q.len();
-    let _ = write!(out, "\n    fn rhs(&self, {}, dx: &mut [f64]) -> Result<(), Singular> {{\n{}", head("forward_dynamics", &all), unpack("forward_dynamics"));
+    let _ = write!(
+        out,
+        "\n    fn rhs(&self, {}, dx: &mut [f64]) -> Result<(), Singular> {{\n{}",
+        head("forward_dynamics", &all),
+        unpack("forward_dynamics")
+    );
     let _ = writeln!(out, "        let a = {}?;", call("forward_dynamics"));
-    let _ = writeln!(out, "        runtime::write_at(dx, 0, &x.v.to_array());\n        runtime::write_at(dx, {nq}, &a.to_array());");
+    let _ = writeln!(out, "        runtime::write(dx, 0, &x.v.to_array());\n        runtime::write(dx, {nq}, &a.to_array());");
     if !l.z.is_empty() {
-        let _ = writeln!(out, "        runtime::write_at(dx, {}, &{});", 2 * nq, call("lag_rates"));
+        let _ = writeln!(out, "        runtime::write(dx, {}, &{});", 2 * nq, call("lag_rates"));
     }
     out.push_str("        Ok(())\n    }\n");
 
@@ -99,16 +106,20 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
         head("linearize", &all),
         unpack("linearize")
     );
-    let _ = writeln!(out, "        let linear = {}?;\n        runtime::write(dx, &linear.dx);\n        runtime::write(a, linear.a.as_flattened());", call("linearize"));
+    let _ = writeln!(
+        out,
+        "        let linear = {}?;\n        runtime::write(dx, 0, &linear.dx);\n        runtime::write_rows(a, &linear.a);",
+        call("linearize")
+    );
     if m > 0 {
-        out.push_str("        runtime::write(b, linear.b.as_flattened());\n");
+        out.push_str("        runtime::write_rows(b, &linear.b);\n");
     }
     out.push_str("        Ok(())\n    }\n");
 
     if np > 0 {
         let _ = write!(
             out,
-            "\n    fn parameter_jacobian(&self, {}, dfdp: &mut [f64]) -> Result<(), Singular> {{\n{}        runtime::write(dfdp, {}?.as_flattened());\n        Ok(())\n    }}\n",
+            "\n    fn parameter_jacobian(&self, {}, dfdp: &mut [f64]) -> Result<(), Singular> {{\n{}        runtime::write_rows(dfdp, &{}?);\n        Ok(())\n    }}\n",
             head("parameter_jacobian", &all),
             unpack("parameter_jacobian"),
             call("parameter_jacobian")
@@ -119,7 +130,7 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
     if ny > 0 {
         let _ = write!(
             out,
-            "\n    fn outputs(&self, {}, y: &mut [f64]) {{\n{}        runtime::write(y, &{}.to_array());\n    }}\n",
+            "\n    fn outputs(&self, {}, y: &mut [f64]) {{\n{}        runtime::write(y, 0, &{}.to_array());\n    }}\n",
             head("outputs", &measured),
             unpack("outputs"),
             call("outputs")
@@ -127,20 +138,19 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
         let dhdp = if np > 0 { "dhdp" } else { "_dhdp" };
         let _ = write!(
             out,
-            "\n    fn output_jacobian(&self, {}, c: &mut [f64], {dhdp}: &mut [f64]) {{\n{}        let slopes = {};\n        runtime::write(c, slopes.by_x.as_flattened());\n",
+            "\n    fn output_jacobian(&self, {}, c: &mut [f64], {dhdp}: &mut [f64]) {{\n{}        let slopes = {};\n        runtime::write_rows(c, &slopes.by_x);\n",
             head("output_jacobian", &measured),
             unpack("output_jacobian"),
             call("output_jacobian")
         );
         if np > 0 {
-            out.push_str("        runtime::write(dhdp, slopes.by_p.as_flattened());\n");
+            out.push_str("        runtime::write_rows(dhdp, &slopes.by_p);\n");
         }
         out.push_str("    }\n");
     } else {
         out.push_str("\n    fn outputs(&self, _t: f64, _x: &[f64], _p: &[f64], _y: &mut [f64]) {}\n");
         out.push_str("\n    fn output_jacobian(&self, _t: f64, _x: &[f64], _p: &[f64], _c: &mut [f64], _dhdp: &mut [f64]) {}\n");
     }
-    let _ = (n, uses_time("forward_dynamics"));
     let inputs: Vec<(String, Id)> = e
         .input_paths
         .iter()
@@ -150,7 +160,11 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
         })
         .collect();
     path(out, e, fields, calls, "input_path", "InputPath", &inputs, "limits: (f64::NEG_INFINITY, f64::INFINITY), delay: 0.0");
-    let outputs: Vec<(String, Id)> = e.output_paths.iter().map(|(delay, quantum, wrapped)| (format!("quantum: {}, wrapped: {wrapped}, ", number(*quantum)), *delay)).collect();
+    let outputs: Vec<(String, Id)> = e
+        .output_paths
+        .iter()
+        .map(|(delay, quantum, wrapped)| (format!("quantum: {}, wrapped: {wrapped}, ", number(*quantum)), *delay))
+        .collect();
     path(out, e, fields, calls, "output_path", "OutputPath", &outputs, "delay: 0.0, quantum: 0.0, wrapped: false");
     out.push_str("}\n");
 }
@@ -167,7 +181,16 @@ fn bound(x: f64) -> String {
 
 /// One of the two path functions: a match over the entries.
 #[allow(clippy::too_many_arguments)]
-fn path(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTreeSet<&'static str>, name: &str, record: &str, paths: &[(String, Id)], none: &str) {
+fn path(
+    out: &mut String,
+    e: &Equations,
+    fields: &Fields,
+    calls: &mut BTreeSet<&'static str>,
+    name: &str,
+    record: &str,
+    paths: &[(String, Id)],
+    none: &str,
+) {
     let reads = paths.iter().any(|(_, delay)| e.graph.number_of(*delay).is_none());
     let p = if reads { "p" } else { "_p" };
     let i = if paths.is_empty() { "_i" } else { "i" };

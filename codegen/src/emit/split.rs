@@ -102,7 +102,12 @@ pub fn split(plan: &Plan) -> (Vec<Part>, Part) {
     let parts = ranges
         .iter()
         .enumerate()
-        .map(|(k, range)| Part { own: range.clone(), imports: imports(k), exports: crossing[k].iter().copied().collect(), lengths: lengths.clone() })
+        .map(|(k, range)| Part {
+            own: range.clone(),
+            imports: imports(k),
+            exports: crossing[k].iter().copied().collect(),
+            lengths: lengths.clone(),
+        })
         .collect();
     let own = if count == 0 { 0..n } else { n..n };
     (parts, Part { own, imports: imports(count), exports: Vec::new(), lengths })
