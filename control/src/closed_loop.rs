@@ -298,8 +298,7 @@ fn runge_kutta(model: &dyn Model, p: &[f64], t: f64, x: &mut [f64], u: &[f64], h
     }
     for i in 0..n {
         x[i] += h / 6.0 * (k[0][i] + 2.0 * k[1][i] + 2.0 * k[2][i] + k[3][i]);
-        // a NaN must not pass
-        if !(x[i].abs() <= LARGEST) {
+        if x[i].is_nan() || x[i].abs() > LARGEST {
             return Err(i);
         }
     }

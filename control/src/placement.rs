@@ -216,8 +216,8 @@ fn by_eigenvectors(a: &DMatrix<f64>, b: &DMatrix<f64>, poles: &[C]) -> Result<DM
 
 /// The eigenvector of a conjugate pole is the conjugate eigenvector.
 fn mirror(x: &mut DMatrix<C>, poles: &[C]) {
-    for i in 1..poles.len() {
-        if poles[i].im < 0.0 {
+    for (i, z) in poles.iter().enumerate().skip(1) {
+        if z.im < 0.0 {
             let conjugate = x.column(i - 1).map(|z| z.conj());
             x.set_column(i, &conjugate);
         }

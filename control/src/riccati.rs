@@ -206,8 +206,9 @@ pub fn solve(data: RiccatiData<'_>, time: Time) -> Result<Riccati, RiccatiError>
     let eigen = SymmetricEigen::new(best.x.clone()).eigenvalues;
     let definiteness = if eigen.amax() > 0.0 { eigen.min() / eigen.amax() } else { 0.0 };
     let indefinite = core.weight_is_semidefinite() && definiteness < -1e-9;
-    // not `>`: a residual that is not a number fails too
-    if !(best.residual <= RESIDUAL) || indefinite || best.error > 1.0 {
+    // a value that is not a number is not sound
+    let sound = best.residual <= RESIDUAL && best.error <= 1.0 && !indefinite;
+    if !sound {
         return Err(RiccatiError::Inaccurate { residual: best.residual, error: best.error, definiteness, weakest: even.weakest() });
     }
     let gain = best.gain + &core.feed;

@@ -133,7 +133,7 @@ impl Channel {
 enum Source<'a> {
     None,
     Given(Trajectory<'a>),
-    Inner { law: Cascade, outer: usize, rate: Option<Running> },
+    Inner { law: Cascade, outer: usize, rate: Option<Box<Running>> },
 }
 
 /// A tracking controller.
@@ -192,7 +192,7 @@ impl<'a> Tracking<'a> {
                 Reference::Inner { law, outer, rate } => {
                     let rate = match rate {
                         InnerRate::Zero => None,
-                        InnerRate::Filtered(f) => Some(filter(f)?),
+                        InnerRate::Filtered(f) => Some(Box::new(filter(f)?)),
                     };
                     Source::Inner { law, outer: find(&outer, &outer)?, rate }
                 }

@@ -379,7 +379,7 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 33 operations.
 ///
 /// # Errors

@@ -44,8 +44,20 @@ fn case(name: &str, build: impl FnOnce(&mut Graph, &[Id]) -> Vec<Id>) -> Case {
     Case { name: name.to_owned(), graph, symbols, roots }
 }
 
+/// Each of the systematic expressions is a function of its own, so that none is shared and all are written out.
 fn cases() -> Vec<Case> {
-    let mut list = vec![
+    let mut list = Vec::new();
+    for case in systematic() {
+        for (k, &root) in case.roots.iter().enumerate() {
+            list.push(Case { name: format!("{}_{k}", case.name), graph: case.graph.clone(), symbols: case.symbols.clone(), roots: vec![root] });
+        }
+    }
+    list.extend((0..RANDOM).map(|seed| case(&format!("random_{seed}"), |g, s| random_expressions(g, s, seed))));
+    list
+}
+
+fn systematic() -> Vec<Case> {
+    vec![
         case("functions", |g, s| {
             let mut roots: Vec<Id> = ONE.iter().map(|&f| g.call(f, s[0])).collect();
             roots.extend(TWO.map(|f| g.call2(f, s[1], s[2])));
@@ -95,11 +107,7 @@ fn cases() -> Vec<Case> {
             }
             roots
         }),
-    ];
-    for seed in 0..RANDOM {
-        list.push(case(&format!("random_{seed}"), |g, s| random_expressions(g, s, seed)));
-    }
-    list
+    ]
 }
 
 /// A dozen values grown from the symbols, each over earlier ones, so that many are shared.
@@ -184,6 +192,7 @@ fn rust_gives_the_values_of_the_graph() {
 fn c_gives_the_values_of_the_graph() {
     let mut files: Vec<(String, String)> = Vec::new();
     let mut main = String::from("#include <stdio.h>\n\n");
+    let mut systematic = String::from("#include <math.h>\n");
     let mut calls = String::new();
     for case in cases() {
         let text = c_function(&case.graph, &case.name, &case.symbols, &case.roots);
@@ -198,9 +207,15 @@ fn c_gives_the_values_of_the_graph() {
                 case.name, v[0], v[1], v[2], v[3]
             );
         }
-        files.push((format!("{}.c", case.name), format!("#include <math.h>\n\n{prototype}\n{text}")));
+        // the static functions that each needs come once a file: one file for the expressions without them
+        if text.starts_with("void") {
+            let _ = write!(systematic, "\n{prototype}\n{text}");
+        } else {
+            files.push((format!("{}.c", case.name), format!("#include <math.h>\n\n{prototype}\n{text}")));
+        }
     }
     let _ = write!(main, "\nint main(void)\n{{\n{calls}    return 0;\n}}\n");
+    files.push(("systematic.c".to_owned(), systematic));
     files.push(("main.c".to_owned(), main));
     let borrowed: Vec<(&str, &str)> = files.iter().map(|f| (f.0.as_str(), f.1.as_str())).collect();
     let printed = match compile_and_run("c_operations", &borrowed) {
