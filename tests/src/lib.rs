@@ -28,7 +28,7 @@ pub fn example_rigs() -> Vec<PathBuf> {
 /// All rigs that CasADi derives too, in order (the folders of `cargo xtask oracle`).
 #[must_use]
 pub fn oracle_rigs() -> Vec<PathBuf> {
-    ["examples/rigs", "tests/rigs/pass"].iter().flat_map(|folder| rigs_in(folder)).collect()
+    ["examples/rigs", "tests/rigs/pass", "tests/rigs/statements"].iter().flat_map(|folder| rigs_in(folder)).collect()
 }
 
 /// Rig files of a folder of the project, by name, in order; none where there is no such folder.

@@ -71,7 +71,7 @@ pub fn run(arguments: &[String]) -> Result<String, String> {
 /// Files of all rigs that the oracle covers, in order.
 fn rigs(root: &Path) -> Result<Vec<PathBuf>, String> {
     let mut paths = Vec::new();
-    for folder in ["examples/rigs", "tests/rigs/pass"] {
+    for folder in ["examples/rigs", "tests/rigs/pass", "tests/rigs/statements"] {
         let Ok(entries) = std::fs::read_dir(root.join(folder)) else { continue };
         paths.extend(entries.flatten().map(|e| e.path()).filter(|p| p.extension().is_some_and(|x| x == "rig")));
     }
