@@ -1,13 +1,13 @@
 /*
  * Googol GHP2002 3-DOF helicopter, full physics.
- * Generated from `googol.rig` (model ff143b05); edit the rig, not this file.
+ * Generated from `googol.rig` (model 55b1ef6d); edit the rig, not this file.
  *
  * Three bodies: arm and counterweight (point masses on the arm), and the fuselage with both rotors,
  * hanging l_cd below the pitch axis. Numbers: Table 1 of Li et al., Journal of Jilin University
  * (Engineering), 54(11), 2024, doi 10.13229/j.cnki.jdxbgxb.20220745; viscous friction as the authors
  * used it before identification, times the inertias.
  *
- * 193 operations forward, 714 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 175 operations forward, 637 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -79,71 +79,61 @@ struct googol_state {
 /* The values that the rig's file gives. */
 void googol_nominal(struct googol_parameters *p);
 
-/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta). */
+/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta).
+ */
 void googol_mass_matrix(const struct googol_coordinates *q, const struct googol_parameters *p, double m[3][3]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (psi, eps, theta). */
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (psi, eps, theta).
+ */
 void googol_bias(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p, double h[3]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta). */
-void googol_velocity_products(
-    const struct googol_coordinates *q,
-    const struct googol_rates *v,
-    const struct googol_parameters *p,
-    double c[3]);
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta).
+ */
+void googol_velocity_products(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p, double c[3]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (psi, eps, theta). */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (psi, eps, theta).
+ */
 void googol_gravity(const struct googol_coordinates *q, const struct googol_parameters *p, double g[3]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta). */
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta).
+ */
 void googol_dissipation(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p, double d[3]);
 
-/* Generalized force Q [N m] of the inputs; rows (psi, eps, theta). */
-void googol_generalized_force(
-    const struct googol_coordinates *q,
-    const struct googol_inputs *u,
-    const struct googol_parameters *p,
-    double f[3]);
+/* Generalized force Q [N m] of the inputs; rows (psi, eps, theta).
+ */
+void googol_generalized_force(const struct googol_coordinates *q, const struct googol_inputs *u, const struct googol_parameters *p, double f[3]);
 
-/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2). */
+/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2).
+ */
 void googol_input_map(const struct googol_coordinates *q, const struct googol_parameters *p, double s[3][2]);
 
-/* Kinetic energy T(q, v) [J]. */
+/* Kinetic energy T(q, v) [J].
+ */
 double googol_kinetic_energy(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs. */
+/* Potential energy V(q) [J]: gravity and springs.
+ */
 double googol_potential_energy(const struct googol_coordinates *q, const struct googol_parameters *p);
 
-/*
- * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void googol_inverse_dynamics(
-    const struct googol_state *x,
-    const struct googol_accelerations *a,
-    const struct googol_inputs *u,
-    const struct googol_parameters *p,
-    double r[3]);
+void googol_inverse_dynamics(const struct googol_state *x, const struct googol_accelerations *a, const struct googol_inputs *u, const struct googol_parameters *p, double r[3]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization. */
+/* Measured outputs y(x), with scale and bias, without delay and quantization.
+ */
 void googol_outputs(const struct googol_state *x, const struct googol_parameters *p, struct googol_outputs *y);
 
-/*
- * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
- * 193 operations.
+/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 175 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_forward_dynamics(
-    const struct googol_state *x,
-    const struct googol_inputs *u,
-    const struct googol_parameters *p,
-    struct googol_accelerations *a);
+int googol_forward_dynamics(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, struct googol_accelerations *a);
 
-/*
- * State derivative and its Jacobians A, B, exact, at any state.
- * 714 operations.
+/* State derivative and its Jacobians A, B, exact, at any state.
+ * 637 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *          psi eps theta psi.dot eps.dot theta.dot | f_1 f_2
@@ -157,27 +147,17 @@ int googol_forward_dynamics(
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_linearize(
-    const struct googol_state *x,
-    const struct googol_inputs *u,
-    const struct googol_parameters *p,
-    double dx[6],
-    double a[6][6],
-    double b[6][2]);
+int googol_linearize(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, double dx[6], double a[6][6], double b[6][2]);
 
-/*
- * Parameter Jacobian dx'/dp, 6 x 14; columns in the order of Parameters.
+/* Parameter Jacobian dx'/dp, 6 x 14; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_parameter_jacobian(
-    const struct googol_state *x,
-    const struct googol_inputs *u,
-    const struct googol_parameters *p,
-    double by_p[6][14]);
+int googol_parameter_jacobian(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, double by_p[6][14]);
 
-/* Jacobians of the measured outputs. */
+/* Jacobians of the measured outputs.
+ */
 void googol_output_jacobian(const struct googol_state *x, const struct googol_parameters *p, double by_x[3][6], double by_p[3][14]);
 
 #ifdef __cplusplus

@@ -113,8 +113,9 @@ void googol_identified_generalized_force(
     const double c_eps = cos(q->eps);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double b4_f_d_s_theta_s_eps = p->b4 * f_d * s_theta * s_eps;
     /* equation of psi */
-    const double Q_psi = p->b3 * f_s * s_theta * c_eps - p->b4 * f_d * s_theta * s_eps;
+    const double Q_psi = p->b3 * f_s * s_theta * c_eps - b4_f_d_s_theta_s_eps;
     f[0] = Q_psi; /* psi */
     f[1] = p->b1 * f_s * c_theta; /* eps */
     f[2] = p->b2 * f_d; /* theta */
@@ -156,8 +157,9 @@ void googol_identified_inverse_dynamics(
     const double c_eps = cos(q->eps);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double b4_f_d_s_theta_s_eps = p->b4 * f_d * s_theta * s_eps;
     /* equation of psi */
-    const double Q_psi = p->b3 * f_s * s_theta * c_eps - p->b4 * f_d * s_theta * s_eps;
+    const double Q_psi = p->b3 * f_s * s_theta * c_eps - b4_f_d_s_theta_s_eps;
     /* equation of eps */
     const double g_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
     r[0] = p->c_psi * v->psi + a->psi - Q_psi; /* psi */
@@ -191,13 +193,14 @@ int googol_identified_forward_dynamics(
     const double c_eps = cos(q->eps);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double b4_f_d_s_theta_s_eps = p->b4 * f_d * s_theta * s_eps;
     /* equation of eps */
     const double g_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
     /* balance of forces */
-    const double balance_1 = p->b4 * f_d * s_theta * s_eps - p->b3 * f_s * s_theta * c_eps;
+    const double tau_psi = p->b3 * f_s * s_theta * c_eps - p->c_psi * v->psi - b4_f_d_s_theta_s_eps;
     const double tau_eps = p->b1 * f_s * c_theta - p->c_eps * v->eps - g_eps;
     const double tau_theta = p->b2 * f_d - p->c_theta * v->theta - p->a3 * s_theta * c_eps;
-    a->psi = -p->c_psi * v->psi - balance_1;
+    a->psi = tau_psi;
     a->eps = tau_eps;
     a->theta = tau_theta;
     return 0;
@@ -235,8 +238,9 @@ int googol_identified_linearize(
     /* derivatives with respect to eps */
     const double d_psi_ddot_by_eps = -f_s * b3_s_theta * s_eps - f_d * b4_s_theta * c_eps;
     const double d_eps_ddot_by_eps = p->a2 * s_eps - a1_c_theta * c_eps;
+    const double b4_f_d_s_eps_c_theta = p->b4 * f_d * s_eps * c_theta;
     /* derivatives with respect to theta */
-    const double d_psi_ddot_by_theta = p->b3 * f_s * c_eps * c_theta - p->b4 * f_d * s_eps * c_theta;
+    const double d_psi_ddot_by_theta = p->b3 * f_s * c_eps * c_theta - b4_f_d_s_eps_c_theta;
     const double d_eps_ddot_by_theta = p->a1 * s_eps * s_theta - p->b1 * f_s * s_theta;
     dx[0] = v->psi; /* psi' */
     dx[1] = v->eps; /* eps' */

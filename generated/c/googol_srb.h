@@ -1,6 +1,6 @@
 /*
  * Googol GHP2002, single-rigid-body model.
- * Generated from `googol_srb.rig` (model 82e6ba05); edit the rig, not this file.
+ * Generated from `googol_srb.rig` (model 7ec63ed6); edit the rig, not this file.
  *
  * Eq. 1 to 5 of the seed paper: arm, counterweight and fuselage are one body on a ball joint, l_cd = 0,
  * friction and velocity products neglected. The mass matrix is T^T I T with T of eq. 2 and
@@ -9,7 +9,7 @@
  * Without l_cd there is no pitch stiffness, and at eps = +-90 deg the mass matrix is singular.
  *
  * Assumed: l_cd = 0; no velocity products; no friction.
- * 75 operations forward, 191 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 60 operations forward, 141 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -34,7 +34,7 @@ struct googol_srb_parameters {
     double c0_psi;   /* viscous friction of the column [N*m*s] */
     double c0_eps;   /* viscous friction of the elevation axis [N*m*s] */
     double c0_theta; /* viscous friction of the pitch axis [N*m*s] */
-    double I_psi;    /* about the upright axis [kg*m^2] */
+    double I_psi;    /* without friction and velocity products no rate of turn balances the thrust [kg*m^2] */
     double I_eps;    /* about the sideways axis [kg*m^2] */
     double I_theta;  /* about the arm [kg*m^2] */
 };
@@ -82,82 +82,61 @@ struct googol_srb_state {
 /* The values that the rig's file gives. */
 void googol_srb_nominal(struct googol_srb_parameters *p);
 
-/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta). */
+/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta).
+ */
 void googol_srb_mass_matrix(const struct googol_srb_coordinates *q, const struct googol_srb_parameters *p, double m[3][3]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (psi, eps, theta). */
-void googol_srb_bias(
-    const struct googol_srb_coordinates *q,
-    const struct googol_srb_rates *v,
-    const struct googol_srb_parameters *p,
-    double h[3]);
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (psi, eps, theta).
+ */
+void googol_srb_bias(const struct googol_srb_coordinates *q, const struct googol_srb_rates *v, const struct googol_srb_parameters *p, double h[3]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta). */
-void googol_srb_velocity_products(
-    const struct googol_srb_coordinates *q,
-    const struct googol_srb_rates *v,
-    const struct googol_srb_parameters *p,
-    double c[3]);
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta).
+ */
+void googol_srb_velocity_products(const struct googol_srb_coordinates *q, const struct googol_srb_rates *v, const struct googol_srb_parameters *p, double c[3]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (psi, eps, theta). */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (psi, eps, theta).
+ */
 void googol_srb_gravity(const struct googol_srb_coordinates *q, const struct googol_srb_parameters *p, double g[3]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta). */
-void googol_srb_dissipation(
-    const struct googol_srb_coordinates *q,
-    const struct googol_srb_rates *v,
-    const struct googol_srb_parameters *p,
-    double d[3]);
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta).
+ */
+void googol_srb_dissipation(const struct googol_srb_coordinates *q, const struct googol_srb_rates *v, const struct googol_srb_parameters *p, double d[3]);
 
-/* Generalized force Q [N m] of the inputs; rows (psi, eps, theta). */
-void googol_srb_generalized_force(
-    const struct googol_srb_coordinates *q,
-    const struct googol_srb_inputs *u,
-    const struct googol_srb_parameters *p,
-    double f[3]);
+/* Generalized force Q [N m] of the inputs; rows (psi, eps, theta).
+ */
+void googol_srb_generalized_force(const struct googol_srb_coordinates *q, const struct googol_srb_inputs *u, const struct googol_srb_parameters *p, double f[3]);
 
-/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2). */
+/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2).
+ */
 void googol_srb_input_map(const struct googol_srb_coordinates *q, const struct googol_srb_parameters *p, double s[3][2]);
 
-/* Kinetic energy T(q, v) [J]. */
-double googol_srb_kinetic_energy(
-    const struct googol_srb_coordinates *q,
-    const struct googol_srb_rates *v,
-    const struct googol_srb_parameters *p);
+/* Kinetic energy T(q, v) [J].
+ */
+double googol_srb_kinetic_energy(const struct googol_srb_coordinates *q, const struct googol_srb_rates *v, const struct googol_srb_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs. */
+/* Potential energy V(q) [J]: gravity and springs.
+ */
 double googol_srb_potential_energy(const struct googol_srb_coordinates *q, const struct googol_srb_parameters *p);
 
-/*
- * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void googol_srb_inverse_dynamics(
-    const struct googol_srb_state *x,
-    const struct googol_srb_accelerations *a,
-    const struct googol_srb_inputs *u,
-    const struct googol_srb_parameters *p,
-    double r[3]);
+void googol_srb_inverse_dynamics(const struct googol_srb_state *x, const struct googol_srb_accelerations *a, const struct googol_srb_inputs *u, const struct googol_srb_parameters *p, double r[3]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization. */
+/* Measured outputs y(x), with scale and bias, without delay and quantization.
+ */
 void googol_srb_outputs(const struct googol_srb_state *x, const struct googol_srb_parameters *p, struct googol_srb_outputs *y);
 
-/*
- * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
- * 75 operations.
+/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 60 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_srb_forward_dynamics(
-    const struct googol_srb_state *x,
-    const struct googol_srb_inputs *u,
-    const struct googol_srb_parameters *p,
-    struct googol_srb_accelerations *a);
+int googol_srb_forward_dynamics(const struct googol_srb_state *x, const struct googol_srb_inputs *u, const struct googol_srb_parameters *p, struct googol_srb_accelerations *a);
 
-/*
- * State derivative and its Jacobians A, B, exact, at any state.
- * 191 operations.
+/* State derivative and its Jacobians A, B, exact, at any state.
+ * 141 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *          psi eps theta psi.dot eps.dot theta.dot | f_1 f_2
@@ -171,32 +150,18 @@ int googol_srb_forward_dynamics(
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_srb_linearize(
-    const struct googol_srb_state *x,
-    const struct googol_srb_inputs *u,
-    const struct googol_srb_parameters *p,
-    double dx[6],
-    double a[6][6],
-    double b[6][2]);
+int googol_srb_linearize(const struct googol_srb_state *x, const struct googol_srb_inputs *u, const struct googol_srb_parameters *p, double dx[6], double a[6][6], double b[6][2]);
 
-/*
- * Parameter Jacobian dx'/dp, 6 x 15; columns in the order of Parameters.
+/* Parameter Jacobian dx'/dp, 6 x 15; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_srb_parameter_jacobian(
-    const struct googol_srb_state *x,
-    const struct googol_srb_inputs *u,
-    const struct googol_srb_parameters *p,
-    double by_p[6][15]);
+int googol_srb_parameter_jacobian(const struct googol_srb_state *x, const struct googol_srb_inputs *u, const struct googol_srb_parameters *p, double by_p[6][15]);
 
-/* Jacobians of the measured outputs. */
-void googol_srb_output_jacobian(
-    const struct googol_srb_state *x,
-    const struct googol_srb_parameters *p,
-    double by_x[3][6],
-    double by_p[3][15]);
+/* Jacobians of the measured outputs.
+ */
+void googol_srb_output_jacobian(const struct googol_srb_state *x, const struct googol_srb_parameters *p, double by_x[3][6], double by_p[3][15]);
 
 #ifdef __cplusplus
 }

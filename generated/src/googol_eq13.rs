@@ -1,5 +1,5 @@
 //! Googol GHP2002, eq. 13 as printed.
-//! Generated from `googol_eq13.rig` (model df868c68); edit the rig, not this file.
+//! Generated from `googol_eq13.rig` (model 563aaada); edit the rig, not this file.
 //!
 //! The seed paper's equations, written directly, with the printed factor sin(theta) in the
 //! yaw-by-f_d term. `rig diff googol_mrb.rig googol_eq13.rig` shows that one term.
@@ -277,10 +277,10 @@ pub fn bias(q: &Coordinates, _v: &Rates, p: &Parameters) -> [f64; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
-    let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
     // equation of eps
-    let g_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
-    [0.0, g_eps, l_cd_m_h_g * s_theta * c_eps]
+    let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
+    let h_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
+    [0.0, h_eps, l_cd_m_h_g * s_theta * c_eps]
 }
 
 /// Bias of the equations as written [unit of the row]; rows (psi, eps, theta).
@@ -289,10 +289,10 @@ pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
-    let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
     // equation of eps
-    let g_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
-    [0.0, g_eps, l_cd_m_h_g * s_theta * c_eps]
+    let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
+    let h_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
+    [0.0, h_eps, l_cd_m_h_g * s_theta * c_eps]
 }
 
 /// Friction and dampers d(q, v) [unit of the row], on the left-hand side; rows (psi, eps, theta).
@@ -309,7 +309,8 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
     // equation of psi
-    let Q_psi = p.l_oc * f_s * c_eps * s_theta - p.l_df * f_d * s_theta * s_eps;
+    let l_df_f_d_s_theta_s_eps = p.l_df * f_d * s_theta * s_eps;
+    let Q_psi = p.l_oc * f_s * c_eps * s_theta - l_df_f_d_s_theta_s_eps;
     [Q_psi, p.l_oc * f_s * c_theta, p.l_df * f_d]
 }
 
@@ -318,8 +319,10 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
 pub fn input_map(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
+    // equation of psi
     let l_oc_c_eps_s_theta = p.l_oc * c_eps * s_theta;
     let l_df_s_theta_s_eps = p.l_df * s_theta * s_eps;
+    // equation of eps
     let l_oc_c_theta = p.l_oc * c_theta;
     [
         [l_oc_c_eps_s_theta - l_df_s_theta_s_eps, l_oc_c_eps_s_theta + l_df_s_theta_s_eps], // psi
@@ -339,14 +342,17 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
     // equation of psi
-    let Q_psi = p.l_oc * f_s * c_eps * s_theta - p.l_df * f_d * s_theta * s_eps;
-    let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
+    let l_df_f_d_s_theta_s_eps = p.l_df * f_d * s_theta * s_eps;
+    let Q_psi = p.l_oc * f_s * c_eps * s_theta - l_df_f_d_s_theta_s_eps;
     // equation of eps
-    let g_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
+    let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
+    let h_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
+    // balance of forces
+    let balance_1 = l_cd_m_h_g * s_theta * c_eps + p.I_theta * a.theta - p.l_df * f_d;
     [
         p.c0_psi * v.psi + p.I_psi * a.psi - Q_psi, // psi
-        p.c0_eps * v.eps + g_eps + p.I_eps * a.eps - p.l_oc * f_s * c_theta, // eps
-        p.c0_theta * v.theta + l_cd_m_h_g * s_theta * c_eps + p.I_theta * a.theta - p.l_df * f_d, // theta
+        p.c0_eps * v.eps + h_eps + p.I_eps * a.eps - p.l_oc * f_s * c_theta, // eps
+        p.c0_theta * v.theta + balance_1, // theta
     ]
 }
 
@@ -357,7 +363,7 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 47 operations.
 ///
 /// # Errors
@@ -369,16 +375,18 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
-    let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
+    // equation of psi
+    let l_oc_f_s_c_eps_s_theta = p.l_oc * f_s * c_eps * s_theta;
     // equation of eps
-    let g_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
+    let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
+    let h_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
     // balance of forces
-    let tau_psi = p.l_oc * f_s * c_eps * s_theta - p.c0_psi * v.psi - p.l_df * f_d * s_theta * s_eps;
-    let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - g_eps;
+    let tau_psi = l_oc_f_s_c_eps_s_theta - p.c0_psi * v.psi - p.l_df * f_d * s_theta * s_eps;
+    let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - h_eps;
     let tau_theta = p.l_df * f_d - p.c0_theta * v.theta - l_cd_m_h_g * s_theta * c_eps;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok(Accelerations::from_array([tau_psi / p.I_psi, tau_eps / p.I_eps, tau_theta / p.I_theta]))
 }
 
@@ -416,46 +424,48 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
+    // equation of psi
     let l_oc_c_eps = p.l_oc * c_eps;
     let l_oc_c_eps_s_theta = l_oc_c_eps * s_theta;
     let l_df_s_theta = p.l_df * s_theta;
     let l_df_s_theta_s_eps = l_df_s_theta * s_eps;
+    // equation of eps
     let l_cd_m_h_g = p.m_h * p.g * p.l_cd;
     let l_cd_m_h_g_c_theta = l_cd_m_h_g * c_theta;
     let g_m_prime = p.g * m_prime;
-    // equation of eps
-    let g_eps = l_cd_m_h_g_c_theta * s_eps + g_m_prime * c_eps;
+    let h_eps = l_cd_m_h_g_c_theta * s_eps + g_m_prime * c_eps;
     let l_oc_c_theta = p.l_oc * c_theta;
+    // equation of theta
     let l_cd_m_h_g_c_eps = l_cd_m_h_g * c_eps;
     // balance of forces
     let tau_psi = f_s * l_oc_c_eps_s_theta - p.c0_psi * v.psi - f_d * l_df_s_theta_s_eps;
-    let tau_eps = f_s * l_oc_c_theta - p.c0_eps * v.eps - g_eps;
+    let tau_eps = f_s * l_oc_c_theta - p.c0_eps * v.eps - h_eps;
     let tau_theta = p.l_df * f_d - p.c0_theta * v.theta - l_cd_m_h_g_c_eps * s_theta;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / p.I_psi;
-    let inv_eps = 1.0 / p.I_eps;
+    // M = L^T D L and back-substitution
     let inv_theta = 1.0 / p.I_theta;
+    let inv_eps = 1.0 / p.I_eps;
+    let inv_psi = 1.0 / p.I_psi;
     // derivatives with respect to eps
-    let d_psi_ddot_by_eps = -inv_psi * (p.l_oc * f_s * s_theta * s_eps + f_d * l_df_s_theta * c_eps);
+    let by_eps_1 = p.l_oc * f_s * s_theta * s_eps + f_d * l_df_s_theta * c_eps;
     let d_eps_ddot_by_eps = inv_eps * (g_m_prime * s_eps - l_cd_m_h_g_c_theta * c_eps);
     let d_theta_ddot_by_eps = inv_theta * l_cd_m_h_g * s_theta * s_eps;
     // derivatives with respect to theta
-    let d_psi_ddot_by_theta = inv_psi * (f_s * l_oc_c_eps * c_theta - p.l_df * f_d * s_eps * c_theta);
-    let d_eps_ddot_by_theta = inv_eps * (l_cd_m_h_g * s_eps * s_theta - p.l_oc * f_s * s_theta);
+    let by_theta_1 = f_s * l_oc_c_eps * c_theta - p.l_df * f_d * s_eps * c_theta;
+    let by_theta_2 = l_cd_m_h_g * s_eps * s_theta - p.l_oc * f_s * s_theta;
     // derivatives with respect to f_1
     let d_eps_ddot_by_f_1 = l_oc_c_theta * inv_eps;
     let d_theta_ddot_by_f_1 = p.l_df * inv_theta;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok(Linearization {
         dx: [v.psi, v.eps, v.theta, tau_psi * inv_psi, tau_eps * inv_eps, tau_theta * inv_theta],
         a: [
             [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], // psi'
             [0.0, 0.0, 0.0, 0.0, 1.0, 0.0], // eps'
             [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], // theta'
-            [0.0, d_psi_ddot_by_eps, d_psi_ddot_by_theta, -p.c0_psi * inv_psi, 0.0, 0.0], // psi''
-            [0.0, d_eps_ddot_by_eps, d_eps_ddot_by_theta, 0.0, -p.c0_eps * inv_eps, 0.0], // eps''
+            [0.0, -inv_psi * by_eps_1, inv_psi * by_theta_1, -p.c0_psi * inv_psi, 0.0, 0.0], // psi''
+            [0.0, d_eps_ddot_by_eps, inv_eps * by_theta_2, 0.0, -p.c0_eps * inv_eps, 0.0], // eps''
             [0.0, d_theta_ddot_by_eps, -inv_theta * l_cd_m_h_g_c_eps * c_theta, 0.0, 0.0, -p.c0_theta * inv_theta], // theta''
         ],
         b: [
@@ -480,28 +490,30 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
+    // equation of psi
+    let l_oc_f_s_c_eps_s_theta = p.l_oc * f_s * c_eps * s_theta;
+    // equation of eps
     let m_h_g = p.m_h * p.g;
     let l_cd_m_h_g = p.l_cd * m_h_g;
-    // equation of eps
-    let g_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
+    let h_eps = l_cd_m_h_g * s_eps * c_theta + p.g * m_prime * c_eps;
     // balance of forces
-    let tau_psi = p.l_oc * f_s * c_eps * s_theta - p.c0_psi * v.psi - p.l_df * f_d * s_theta * s_eps;
-    let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - g_eps;
+    let tau_psi = l_oc_f_s_c_eps_s_theta - p.c0_psi * v.psi - p.l_df * f_d * s_theta * s_eps;
+    let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - h_eps;
     let tau_theta = p.l_df * f_d - p.c0_theta * v.theta - l_cd_m_h_g * s_theta * c_eps;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / p.I_psi;
-    let inv_eps = 1.0 / p.I_eps;
+    // M = L^T D L and back-substitution
     let inv_theta = 1.0 / p.I_theta;
-    let g_l_cd = p.g * p.l_cd;
+    let inv_eps = 1.0 / p.I_eps;
+    let inv_psi = 1.0 / p.I_psi;
     // derivatives with respect to m_h
-    let d_eps_ddot_by_m_h = -inv_eps * (g_l_cd * s_eps * c_theta + p.g * p.l_oc * c_eps);
+    let g_l_cd = p.g * p.l_cd;
+    let by_m_h_1 = g_l_cd * s_eps * c_theta + p.g * p.l_oc * c_eps;
     let d_theta_ddot_by_m_h = -inv_theta * g_l_cd * s_theta * c_eps;
-    let m_h_l_cd = p.m_h * p.l_cd;
     // derivatives with respect to g
+    let m_h_l_cd = p.m_h * p.l_cd;
     let d_eps_ddot_by_g = -inv_eps * (m_h_l_cd * s_eps * c_theta + m_prime * c_eps);
     let d_theta_ddot_by_g = -inv_theta * m_h_l_cd * s_theta * c_eps;
-    let m_h_g_c_eps = m_h_g * c_eps;
     // derivatives with respect to l_oc
+    let m_h_g_c_eps = m_h_g * c_eps;
     let d_psi_ddot_by_l_oc = inv_psi * f_s * c_eps * s_theta;
     let d_eps_ddot_by_l_oc = inv_eps * (f_s * c_theta - m_h_g_c_eps);
     // derivatives with respect to m_b
@@ -516,9 +528,9 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let d_eps_ddot_by_l_cd = -inv_eps * m_h_g * s_eps * c_theta;
     // derivatives with respect to l_df
     let d_psi_ddot_by_l_df = -inv_psi * f_d * s_theta * s_eps;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok([
         [0.0; 15], // psi'
         [0.0; 15], // eps'
@@ -529,7 +541,7 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         ..Parameters::ZERO }.to_array(),
         // eps''
         Parameters {
-            m_h: d_eps_ddot_by_m_h, m_b: d_eps_ddot_by_m_b, m_c: d_eps_ddot_by_m_c, g: d_eps_ddot_by_g, l_oc: d_eps_ddot_by_l_oc,
+            m_h: -inv_eps * by_m_h_1, m_b: d_eps_ddot_by_m_b, m_c: d_eps_ddot_by_m_c, g: d_eps_ddot_by_g, l_oc: d_eps_ddot_by_l_oc,
             l_ob: d_eps_ddot_by_l_ob, l_oa: d_eps_ddot_by_l_oa, l_cd: d_eps_ddot_by_l_cd, c0_eps: -inv_eps * v.eps,
             I_eps: -inv_eps * tau_eps * inv_eps,
         ..Parameters::ZERO }.to_array(),

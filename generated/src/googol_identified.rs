@@ -329,8 +329,9 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
     let (s_eps, c_eps) = sin_cos(q.eps);
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
+    let b4_f_d_s_theta_s_eps = p.b4 * f_d * s_theta * s_eps;
     // equation of psi
-    let Q_psi = p.b3 * f_s * s_theta * c_eps - p.b4 * f_d * s_theta * s_eps;
+    let Q_psi = p.b3 * f_s * s_theta * c_eps - b4_f_d_s_theta_s_eps;
     [Q_psi, p.b1 * f_s * c_theta, p.b2 * f_d]
 }
 
@@ -359,8 +360,9 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let (s_eps, c_eps) = sin_cos(q.eps);
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
+    let b4_f_d_s_theta_s_eps = p.b4 * f_d * s_theta * s_eps;
     // equation of psi
-    let Q_psi = p.b3 * f_s * s_theta * c_eps - p.b4 * f_d * s_theta * s_eps;
+    let Q_psi = p.b3 * f_s * s_theta * c_eps - b4_f_d_s_theta_s_eps;
     // equation of eps
     let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
     [
@@ -377,7 +379,7 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 33 operations.
 ///
 /// # Errors
@@ -388,10 +390,11 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let (s_eps, c_eps) = sin_cos(q.eps);
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
+    let b4_f_d_s_theta_s_eps = p.b4 * f_d * s_theta * s_eps;
     // equation of eps
     let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
     // balance of forces
-    let tau_psi = p.b3 * f_s * s_theta * c_eps - p.c_psi * v.psi - p.b4 * f_d * s_theta * s_eps;
+    let tau_psi = p.b3 * f_s * s_theta * c_eps - p.c_psi * v.psi - b4_f_d_s_theta_s_eps;
     let tau_eps = p.b1 * f_s * c_theta - p.c_eps * v.eps - g_eps;
     let tau_theta = p.b2 * f_d - p.c_theta * v.theta - p.a3 * s_theta * c_eps;
     Ok(Accelerations::from_array([tau_psi, tau_eps, tau_theta]))
@@ -446,8 +449,9 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // derivatives with respect to eps
     let d_psi_ddot_by_eps = -f_s * b3_s_theta * s_eps - f_d * b4_s_theta * c_eps;
     let d_eps_ddot_by_eps = p.a2 * s_eps - a1_c_theta * c_eps;
+    let b4_f_d_s_eps_c_theta = p.b4 * f_d * s_eps * c_theta;
     // derivatives with respect to theta
-    let d_psi_ddot_by_theta = p.b3 * f_s * c_eps * c_theta - p.b4 * f_d * s_eps * c_theta;
+    let d_psi_ddot_by_theta = p.b3 * f_s * c_eps * c_theta - b4_f_d_s_eps_c_theta;
     let d_eps_ddot_by_theta = p.a1 * s_eps * s_theta - p.b1 * f_s * s_theta;
     Ok(Linearization {
         dx: [v.psi, v.eps, v.theta, tau_psi, tau_eps, tau_theta],

@@ -1,5 +1,5 @@
 //! Googol GHP2002, multi-rigid-body model.
-//! Generated from `googol_mrb.rig` (model 1baaee7b); edit the rig, not this file.
+//! Generated from `googol_mrb.rig` (model 236cb442); edit the rig, not this file.
 //!
 //! Eq. 13 of the seed paper, derived: the full physics under the paper's assumptions (no velocity
 //! products, a constant diagonal mass matrix). The yaw-by-f_d term comes out without the misprinted
@@ -285,10 +285,10 @@ pub fn bias(q: &Coordinates, _v: &Rates, p: &Parameters) -> [f64; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
     // gravity
-    let gravity_1 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
-    let g_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
-    [0.0, g_eps, g_theta]
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
+    let h_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
+    [0.0, gravity_1 + gravity_2, h_theta]
 }
 
 /// Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta).
@@ -302,10 +302,11 @@ pub fn velocity_products(_q: &Coordinates, _v: &Rates, _p: &Parameters) -> [f64;
 pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
-    let gravity_1 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
-    let g_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
-    [0.0, g_eps, g_theta]
+    // gravity
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
+    let h_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
+    [0.0, gravity_1 + gravity_2, h_theta]
 }
 
 /// Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta).
@@ -320,11 +321,14 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
     let f_s = u.f_1 + u.f_2;
+    // force rotor_1 on heli
     let l_df_f_1 = p.l_df * u.f_1;
+    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
     // frame arm on column
-    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
-    [n_applied_column_z, p.l_oc * f_s * c_theta, l_df_f_1 - l_df_f_2]
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_column_z = p.l_oc * f_s * c_eps * s_theta + arm_1;
+    [n_column_z, p.l_oc * f_s * c_theta, l_df_f_1 - l_df_f_2]
 }
 
 /// Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2).
@@ -332,7 +336,9 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
 pub fn input_map(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 3] {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
+    // gravity
     let l_oc_c_theta = p.l_oc * c_theta;
+    // input map
     let l_oc_c_eps_s_theta = p.l_oc * c_eps * s_theta;
     let l_df_s_eps = p.l_df * s_eps;
     [
@@ -347,9 +353,11 @@ pub fn input_map(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 3] {
 pub fn potential_energy(q: &Coordinates, p: &Parameters) -> f64 {
     let (s_eps, c_eps) = sin_cos(q.eps);
     let c_theta = cos(q.theta);
+    // body counterweight on arm
+    let counterweight_1 = p.m_b * p.g * p.l_oa * s_eps - p.m_c * p.g * p.l_ob * s_eps;
     // body fuselage on heli
     let fuselage_1 = p.m_h * p.g * (p.l_oc * s_eps - p.l_cd * c_eps * c_theta);
-    p.m_b * p.g * p.l_oa * s_eps - p.m_c * p.g * p.l_ob * s_eps + fuselage_1
+    counterweight_1 + fuselage_1
 }
 
 /// Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
@@ -360,18 +368,23 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
     let f_s = u.f_1 + u.f_2;
+    // force rotor_1 on heli
     let l_df_f_1 = p.l_df * u.f_1;
+    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
     // frame arm on column
-    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_column_z = p.l_oc * f_s * c_eps * s_theta + arm_1;
     // gravity
-    let gravity_1 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
-    let g_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
+    let h_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
+    // balance of forces
+    let balance_1 = gravity_1 + gravity_2 + p.I_eps * a.eps - p.l_oc * f_s * c_theta;
     [
-        p.c0_psi * v.psi + p.I_psi * a.psi - n_applied_column_z, // psi
-        p.c0_eps * v.eps + g_eps + p.I_eps * a.eps - p.l_oc * f_s * c_theta, // eps
-        p.c0_theta * v.theta + g_theta + p.I_theta * a.theta - l_df_f_1 + l_df_f_2, // theta
+        p.c0_psi * v.psi + p.I_psi * a.psi - n_column_z, // psi
+        p.c0_eps * v.eps + balance_1, // eps
+        p.c0_theta * v.theta + h_theta + p.I_theta * a.theta - l_df_f_1 + l_df_f_2, // theta
     ]
 }
 
@@ -382,7 +395,7 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 50 operations.
 ///
 /// # Errors
@@ -392,22 +405,25 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
     let f_s = u.f_1 + u.f_2;
+    // force rotor_1 on heli
     let l_df_f_1 = p.l_df * u.f_1;
+    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
     // frame arm on column
-    let n_applied_column_z = p.l_oc * f_s * c_eps * s_theta + s_eps * (l_df_f_2 - l_df_f_1);
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_column_z = p.l_oc * f_s * c_eps * s_theta + arm_1;
     // gravity
-    let gravity_1 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
-    let g_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (p.l_cd * s_eps * c_theta + p.l_oc * c_eps);
+    let h_theta = p.m_h * p.g * p.l_cd * c_eps * s_theta;
     // balance of forces
-    let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - g_eps;
-    let tau_theta = l_df_f_1 - p.c0_theta * v.theta - g_theta - l_df_f_2;
-    // M = L D L^T and back-substitution
-    let psi_ddot = (n_applied_column_z - p.c0_psi * v.psi) / p.I_psi;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
+    let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - gravity_1 - gravity_2;
+    let tau_theta = l_df_f_1 - p.c0_theta * v.theta - h_theta - l_df_f_2;
+    // M = L^T D L and back-substitution
+    let psi_ddot = (n_column_z - p.c0_psi * v.psi) / p.I_psi;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok(Accelerations::from_array([psi_ddot, tau_eps / p.I_eps, tau_theta / p.I_theta]))
 }
 
@@ -443,53 +459,56 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let (s_eps, c_eps) = sin_cos(q.eps);
     let (s_theta, c_theta) = sin_cos(q.theta);
     let f_s = u.f_1 + u.f_2;
+    // force rotor_1 on heli
     let l_df_f_1 = p.l_df * u.f_1;
-    let l_df_f_2 = p.l_df * u.f_2;
     // force rotor_2 on heli
-    let n_applied_heli_x = l_df_f_2 - l_df_f_1;
+    let l_df_f_2 = p.l_df * u.f_2;
+    let n_heli_x = l_df_f_2 - l_df_f_1;
     // frame heli on arm
-    let n_applied_arm_y = -p.l_oc * f_s * c_theta;
-    let n_applied_arm_z = p.l_oc * f_s * s_theta;
+    let n_arm_y = -p.l_oc * f_s * c_theta;
+    let n_arm_z = p.l_oc * f_s * s_theta;
     // frame arm on column
-    let n_applied_column_z = n_applied_arm_z * c_eps + n_applied_heli_x * s_eps;
-    let n_applied_column_x = n_applied_heli_x * c_eps - n_applied_arm_z * s_eps;
+    let n_column_z = n_arm_z * c_eps + n_heli_x * s_eps;
+    let n_column_x = n_heli_x * c_eps - n_arm_z * s_eps;
+    // body fuselage on heli
     let l_cd_s_theta = p.l_cd * s_theta;
     let l_cd_c_theta = p.l_cd * c_theta;
     let l_cd_c_theta_c_eps = l_cd_c_theta * c_eps;
     // gravity
-    let gravity_1 = p.m_h * p.g * (l_cd_c_theta * s_eps + p.l_oc * c_eps);
-    let g_eps = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps + gravity_1;
-    let g_theta = p.m_h * p.g * l_cd_s_theta * c_eps;
+    let gravity_1 = p.m_b * p.g * p.l_oa * c_eps - p.m_c * p.g * p.l_ob * c_eps;
+    let gravity_2 = p.m_h * p.g * (l_cd_c_theta * s_eps + p.l_oc * c_eps);
+    let h_theta = p.m_h * p.g * l_cd_s_theta * c_eps;
     // balance of forces
-    let tau_eps = -p.c0_eps * v.eps - g_eps - n_applied_arm_y;
-    let tau_theta = l_df_f_1 - p.c0_theta * v.theta - g_theta - l_df_f_2;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / p.I_psi;
-    let inv_eps = 1.0 / p.I_eps;
+    let tau_eps = -p.c0_eps * v.eps - gravity_1 - gravity_2 - n_arm_y;
+    let tau_theta = l_df_f_1 - p.c0_theta * v.theta - h_theta - l_df_f_2;
+    // M = L^T D L and back-substitution
     let inv_theta = 1.0 / p.I_theta;
-    let psi_ddot = inv_psi * (n_applied_column_z - p.c0_psi * v.psi);
+    let inv_eps = 1.0 / p.I_eps;
+    let inv_psi = 1.0 / p.I_psi;
+    let psi_ddot = inv_psi * (n_column_z - p.c0_psi * v.psi);
+    // input map
     let l_oc_c_eps_s_theta = p.l_oc * c_eps * s_theta;
     let l_df_s_eps = p.l_df * s_eps;
     // derivatives with respect to eps
-    let by_eps_1 = p.m_h * p.g * (l_cd_c_theta_c_eps - p.l_oc * s_eps);
+    let by_eps_1 = p.m_c * p.g * p.l_ob * s_eps - p.m_b * p.g * p.l_oa * s_eps;
+    let by_eps_2 = p.m_h * p.g * (l_cd_c_theta_c_eps - p.l_oc * s_eps);
     let m_h_g_l_cd_s_theta_s_eps = p.m_h * p.g * l_cd_s_theta * s_eps;
-    let d_eps_ddot_by_eps = -inv_eps * (p.m_c * p.g * p.l_ob * s_eps - p.m_b * p.g * p.l_oa * s_eps + by_eps_1);
     // derivatives with respect to theta
     let d_theta_ddot_by_theta = -p.m_h * p.g * inv_theta * l_cd_c_theta_c_eps;
     // derivatives with respect to f_1
     let d_eps_ddot_by_f_1 = p.l_oc * inv_eps * c_theta;
     let d_theta_ddot_by_f_1 = p.l_df * inv_theta;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok(Linearization {
         dx: [v.psi, v.eps, v.theta, psi_ddot, tau_eps * inv_eps, tau_theta * inv_theta],
         a: [
             [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], // psi'
             [0.0, 0.0, 0.0, 0.0, 1.0, 0.0], // eps'
             [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], // theta'
-            [0.0, n_applied_column_x * inv_psi, -inv_psi * n_applied_arm_y * c_eps, -p.c0_psi * inv_psi, 0.0, 0.0], // psi''
-            [0.0, d_eps_ddot_by_eps, inv_eps * (m_h_g_l_cd_s_theta_s_eps - n_applied_arm_z), 0.0, -p.c0_eps * inv_eps, 0.0], // eps''
+            [0.0, n_column_x * inv_psi, -inv_psi * n_arm_y * c_eps, -p.c0_psi * inv_psi, 0.0, 0.0], // psi''
+            [0.0, -inv_eps * (by_eps_1 + by_eps_2), inv_eps * (m_h_g_l_cd_s_theta_s_eps - n_arm_z), 0.0, -p.c0_eps * inv_eps, 0.0], // eps''
             [0.0, inv_theta * m_h_g_l_cd_s_theta_s_eps, d_theta_ddot_by_theta, 0.0, 0.0, -p.c0_theta * inv_theta], // theta''
         ],
         b: [
@@ -514,51 +533,56 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let f_s = u.f_1 + u.f_2;
     // frame arm on column
     let a_arm_z = p.g * c_eps;
+    // force rotor_1 on heli
     let l_df_f_1 = p.l_df * u.f_1;
+    // force rotor_2 on heli
     let l_df_f_2 = p.l_df * u.f_2;
     // frame heli on arm
-    let f_applied_heli_1_y = f_s * s_theta;
-    let f_applied_heli_1_z = f_s * c_theta;
+    let f_heli_1_y = f_s * s_theta;
+    let f_heli_1_z = f_s * c_theta;
     // frame arm on column
-    let n_applied_column_z = p.l_oc * f_applied_heli_1_y * c_eps + s_eps * (l_df_f_2 - l_df_f_1);
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_column_z = p.l_oc * f_heli_1_y * c_eps + arm_1;
+    // body beam on arm
     let l_oa_c_eps = p.l_oa * c_eps;
+    // body counterweight on arm
     let l_ob_c_eps = p.l_ob * c_eps;
     // body fuselage on heli
     let fuselage_1 = p.l_cd * s_eps * c_theta + p.l_oc * c_eps;
+    // gravity
     let g_l_oa_c_eps = p.g * l_oa_c_eps;
     let g_l_ob_c_eps = p.g * l_ob_c_eps;
     let g_fuselage_1 = p.g * fuselage_1;
-    // gravity
-    let g_eps = p.m_b * g_l_oa_c_eps - p.m_c * g_l_ob_c_eps + p.m_h * g_fuselage_1;
+    let h_eps = p.m_b * g_l_oa_c_eps - p.m_c * g_l_ob_c_eps + p.m_h * g_fuselage_1;
     let l_cd_c_eps_s_theta = p.l_cd * c_eps * s_theta;
     let g_l_cd_c_eps_s_theta = p.g * l_cd_c_eps_s_theta;
     // balance of forces
-    let tau_eps = p.l_oc * f_applied_heli_1_z - p.c0_eps * v.eps - g_eps;
+    let tau_eps = p.l_oc * f_heli_1_z - p.c0_eps * v.eps - h_eps;
     let tau_theta = l_df_f_1 - p.c0_theta * v.theta - p.m_h * g_l_cd_c_eps_s_theta - l_df_f_2;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / p.I_psi;
-    let inv_eps = 1.0 / p.I_eps;
+    // M = L^T D L and back-substitution
     let inv_theta = 1.0 / p.I_theta;
-    let psi_ddot = inv_psi * (n_applied_column_z - p.c0_psi * v.psi);
+    let inv_eps = 1.0 / p.I_eps;
+    let inv_psi = 1.0 / p.I_psi;
+    let psi_ddot = inv_psi * (n_column_z - p.c0_psi * v.psi);
     // derivatives with respect to g
     let d_eps_ddot_by_g = -inv_eps * (p.m_b * l_oa_c_eps - p.m_c * l_ob_c_eps + p.m_h * fuselage_1);
     // derivatives with respect to l_oc
-    let d_eps_ddot_by_l_oc = inv_eps * (f_applied_heli_1_z - p.m_h * a_arm_z);
+    let d_eps_ddot_by_l_oc = inv_eps * (f_heli_1_z - p.m_h * a_arm_z);
     // derivatives with respect to l_cd
     let d_eps_ddot_by_l_cd = -p.m_h * p.g * inv_eps * s_eps * c_theta;
     let d_theta_ddot_by_l_cd = -p.m_h * p.g * inv_theta * c_eps * s_theta;
     // derivatives with respect to l_df
     let d_psi_ddot_by_l_df = inv_psi * s_eps * (u.f_2 - u.f_1);
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok([
         [0.0; 17], // psi'
         [0.0; 17], // eps'
         [0.0; 17], // theta'
         // psi''
         Parameters {
-            l_oc: inv_psi * f_applied_heli_1_y * c_eps, l_df: d_psi_ddot_by_l_df, c0_psi: -inv_psi * v.psi, I_psi: -inv_psi * psi_ddot,
+            l_oc: inv_psi * f_heli_1_y * c_eps, l_df: d_psi_ddot_by_l_df, c0_psi: -inv_psi * v.psi, I_psi: -inv_psi * psi_ddot,
         ..Parameters::ZERO }.to_array(),
         // eps''
         Parameters {

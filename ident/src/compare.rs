@@ -1,9 +1,9 @@
 //! A model's free run laid over a measured record; where that says nothing, a prediction over a short horizon.
 
 mod growth;
-mod initial;
+pub(crate) mod initial;
 mod prediction;
-mod series;
+pub(crate) mod series;
 
 pub use initial::{INITIAL_WINDOW, initial_state};
 pub use prediction::{Prediction, PredictionFit};
@@ -210,6 +210,6 @@ fn sensible_horizon(
 }
 
 /// The unit is one of angles.
-fn is_angle(unit: &str) -> bool {
+pub(crate) fn is_angle(unit: &str) -> bool {
     matches!(unit, "rad" | "deg" | "turn" | "rev" | "mrad")
 }

@@ -84,15 +84,22 @@ impl Diagnostic {
         }
         for file in files {
             let Some((name, text)) = sources.files.get(file as usize) else { continue };
-            let mut snippet = Snippet::source(text.as_str()).path(name.as_str()).line_start(1);
-            for (k, (span, label)) in self.labels.iter().enumerate() {
-                if span.file != file {
-                    continue;
-                }
-                let kind = if k == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
+            let place = |span: &Span| {
                 let start = text.floor_char_boundary(span.start as usize);
-                let end = text.ceil_char_boundary(span.end as usize).max(start);
-                snippet = snippet.annotation(kind.span(start..end).label(label.as_str()));
+                (start, text.ceil_char_boundary(span.end as usize).max(start))
+            };
+            // only the lines that are shown: a long file must not make its messages slow
+            let spans: Vec<(usize, usize)> = self.labels.iter().filter(|(s, _)| s.file == file).map(|(s, _)| place(s)).collect();
+            let from = spans.iter().map(|s| s.0).min().unwrap_or(0);
+            let from = text[..from].rfind('\n').map_or(0, |k| k + 1);
+            let to = spans.iter().map(|s| s.1).max().unwrap_or(0);
+            let to = text[to..].find('\n').map_or(text.len(), |k| to + k + 1);
+            let line = text[..from].matches('\n').count() + 1;
+            let mut snippet = Snippet::source(&text[from..to]).path(name.as_str()).line_start(line);
+            for (k, (span, label)) in self.labels.iter().enumerate().filter(|(_, (s, _))| s.file == file) {
+                let kind = if k == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
+                let (start, end) = place(span);
+                snippet = snippet.annotation(kind.span(start - from..end - from).label(label.as_str()));
             }
             group = group.element(snippet);
         }
@@ -135,7 +142,7 @@ pub fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Opti
     let limit = if length <= 2 { 0 } else { (length / 3).max(1) };
     names
         .into_iter()
-        .filter(|n| *n != name)
+        .filter(|n| *n != name && n.chars().count().abs_diff(length) <= limit)
         .map(|n| (distance(&name.to_lowercase(), &n.to_lowercase()), n))
         .filter(|(d, _)| *d <= limit)
         .min_by_key(|(d, n)| (*d, n.len()))

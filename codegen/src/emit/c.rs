@@ -4,7 +4,7 @@
 use super::about::{Header, about};
 use super::form::{Form, number};
 use super::functions::{Function, Shape, Vector, entries, functions, place};
-use super::names::{Language, Names, WITHIN_C, identifier, snake};
+use super::names::{Language, CALLED_C, LETTERS, Names, RESULTS_C, identifier, snake};
 use super::plan::{Defines, Plan, Statement, plan};
 use super::rust::{base_name, field_names, unit};
 use super::split::{Import, Part, split};
@@ -97,7 +97,7 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
 /// with the static functions that it calls before it.
 #[must_use]
 pub fn c_function(graph: &Graph, name: &str, arguments: &[SymbolId], results: &[Id]) -> String {
-    let mut names = Names::new(Language::C, WITHIN_C);
+    let mut names = Names::new(Language::C, &[CALLED_C, &["y"]].concat());
     let given: Vec<String> = arguments.iter().map(|&s| names.take(&graph.symbol_info(s).name)).collect();
     let vocabulary = Vocabulary::new(Language::C, graph, |s, _| {
         let text = arguments.iter().position(|&a| a == s).map_or_else(|| "NAN".to_owned(), |i| given[i].clone());
@@ -108,6 +108,10 @@ pub fn c_function(graph: &Graph, name: &str, arguments: &[SymbolId], results: &[
     typed.push(format!("double y[{}]", results.len()));
     let mut out = helpers(&plan.calls);
     let _ = writeln!(out, "void {}({})\n{{", identifier(Language::C, name), typed.join(", "));
+    let read = plan.symbols();
+    for (a, _) in given.iter().zip(arguments).filter(|(_, s)| !read.contains(s)) {
+        let _ = writeln!(out, "    (void){a};");
+    }
     for statement in &plan.statements {
         write_statement(&mut out, statement);
     }
@@ -257,7 +261,7 @@ fn plain_name(function: &Function) -> String {
 
 fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &Function, prototype: &str, calls: &mut BTreeSet<&'static str>) {
     let roots = function.roots();
-    let plan = plan(&e.graph, &fields.vocabulary(e), Names::new(Language::C, WITHIN_C), &roots);
+    let plan = plan(&e.graph, &fields.vocabulary(e), Names::new(Language::C, &[LETTERS, RESULTS_C, CALLED_C].concat()), &roots);
     calls.extend(plan.calls.iter().copied());
     let name = format!("{}_{}", fields.prefix, plain_name(function));
     let (parts, rest) = split(&plan);

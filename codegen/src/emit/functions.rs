@@ -246,7 +246,7 @@ pub fn functions(e: &Equations) -> Vec<Function> {
     list.push(Function {
         name: "forward_dynamics".into(),
         doc: vec![
-            "Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.".into(),
+            "Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.".into(),
             format!("{} operations.", e.forward_operations()),
         ],
         arguments: dynamics.clone(),

@@ -6,7 +6,7 @@ use super::form::{Form, Rank};
 use super::names::Names;
 use super::vocabulary::Vocabulary;
 use crate::expr::{F1, Graph, Id, Node, SymbolId};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Longest expression that is written without a name of its own [characters].
@@ -30,6 +30,13 @@ pub struct Plan {
     pub result_symbols: Vec<SymbolId>,
     /// Functions that are called, by name.
     pub calls: BTreeSet<&'static str>,
+}
+
+impl Plan {
+    /// All symbols that statements and results read.
+    pub fn symbols(&self) -> BTreeSet<SymbolId> {
+        self.statements.iter().flat_map(|s| &s.symbols).chain(&self.result_symbols).copied().collect()
+    }
 }
 
 /// One intermediate value, or sine and cosine of one angle.
@@ -113,10 +120,17 @@ impl<'a> Planner<'a> {
         for &root in roots {
             *uses.entry(root).or_default() += 1;
         }
+        let mut angles: FxHashSet<Id> = FxHashSet::default();
         for &id in order.iter().rev() {
             let own = uses.get(&id).copied().unwrap_or(0);
             // a sign moves through sums and products: who uses -a uses a
             let negative = matches!(graph.node(id), Node::Neg(_));
+            // sine and cosine of one angle are one use of it
+            if let Node::Call(F1::Sin | F1::Cos, angle) = graph.node(id)
+                && !angles.insert(angle)
+            {
+                continue;
+            }
             for operand in graph.node(id).operands().into_iter().flatten() {
                 *uses.entry(operand).or_default() += if negative { own } else { 1 };
                 *negative_uses.entry(operand).or_default() += if negative { own } else { 0 };
@@ -175,7 +189,7 @@ impl<'a> Planner<'a> {
     /// Form of an operand before names are known.
     fn estimate(&self, id: Id, forms: &FxHashMap<Id, (Form, usize)>) -> Form {
         if self.named.contains_key(&id) {
-            return Form::atom(Rank::Named, self.graph.label_of(id).unwrap_or("scope_name_12").to_owned());
+            return Form::atom(Rank::Named, self.graph.label_of(id).unwrap_or("a_name_of_some_length").to_owned());
         }
         forms.get(&id).map_or_else(|| Form::number(0.0), |f| f.0.clone())
     }

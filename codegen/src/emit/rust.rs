@@ -5,7 +5,7 @@
 use super::about::{Header, about};
 use super::form::Form;
 use super::functions::{Function, Output, Shape, Vector, entries, functions, place};
-use super::names::{Language, Names, WITHIN_RUST, identifier};
+use super::names::{Language, Names, CALLED_RUST, LETTERS, identifier};
 use super::plan::{Defines, Plan, Statement, plan};
 use super::rust_model;
 use super::split::{Part, split};
@@ -62,14 +62,15 @@ pub fn rust_model_name(equations: &Equations) -> String {
 /// It calls functions of `runtime::math` by their names.
 #[must_use]
 pub fn rust_function(graph: &Graph, name: &str, arguments: &[SymbolId], results: &[Id]) -> String {
-    let mut names = Names::new(Language::Rust, WITHIN_RUST);
+    let mut names = Names::new(Language::Rust, CALLED_RUST);
     let given: Vec<String> = arguments.iter().map(|&s| names.take(&graph.symbol_info(s).name)).collect();
     let vocabulary = Vocabulary::new(Language::Rust, graph, |s, _| {
         let text = arguments.iter().position(|&a| a == s).map_or_else(|| "f64::NAN".to_owned(), |i| given[i].clone());
         (text.clone(), text)
     });
     let plan = plan(graph, &vocabulary, names, results);
-    let typed: Vec<String> = given.iter().map(|a| format!("{a}: f64")).collect();
+    let read = plan.symbols();
+    let typed: Vec<String> = given.iter().zip(arguments).map(|(a, s)| format!("{}{a}: f64", if read.contains(s) { "" } else { "_" })).collect();
     let mut out = format!("pub fn {}({}) -> [f64; {}] {{\n", identifier(Language::Rust, name), typed.join(", "), results.len());
     for statement in &plan.statements {
         write_statement(&mut out, statement, 4);
@@ -118,7 +119,7 @@ impl Fields {
 
     /// Names that values within functions must not take.
     pub(super) fn within(&self) -> Names {
-        let mut taken: Vec<&str> = WITHIN_RUST.to_vec();
+        let mut taken: Vec<&str> = [LETTERS, CALLED_RUST].concat();
         taken.extend(CONSTANTS);
         taken.extend(TYPES.iter().map(|t| t.1));
         taken.push(&self.model);

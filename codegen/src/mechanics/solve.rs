@@ -19,7 +19,7 @@ pub struct Factor {
     pub pivots: Vec<Id>,
 }
 
-/// Factors a matrix.
+/// Factors a matrix, symmetric or not.
 pub fn factor(g: &mut Graph, m: &[Vec<Id>], names: &[String]) -> Factor {
     let n = m.len();
     let symmetric = (0..n).all(|i| (0..i).all(|j| m[i][j] == m[j][i]));

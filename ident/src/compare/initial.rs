@@ -36,7 +36,7 @@ pub fn initial_state(model: &dyn Model, p: &[f64], t: &[f64], outputs: &[Option<
 }
 
 /// State whose outputs have these values and rates.
-pub(super) fn state_from(model: &dyn Model, p: &[f64], t: f64, measured: &[(usize, Line)], u: &[f64]) -> Vec<f64> {
+pub(crate) fn state_from(model: &dyn Model, p: &[f64], t: f64, measured: &[(usize, Line)], u: &[f64]) -> Vec<f64> {
     let d = model.dimensions();
     let (n, states) = (d.coordinates, d.states());
     let mut x = vec![0.0; states];
@@ -74,7 +74,7 @@ fn least_squares(a: DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
 }
 
 /// Actuator states at which z' = 0 with the signals held: Newton's steps on their part of the state.
-fn settle_lags(model: &dyn Model, p: &[f64], t: f64, u: &[f64], x: &mut [f64]) {
+pub(crate) fn settle_lags(model: &dyn Model, p: &[f64], t: f64, u: &[f64], x: &mut [f64]) {
     let d = model.dimensions();
     let (states, lags, at) = (d.states(), d.lags, 2 * d.coordinates);
     if lags == 0 {

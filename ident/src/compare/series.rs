@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Value and rate of a signal at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Line {
+pub(crate) struct Line {
     pub value: f64,
     pub rate: f64,
 }
@@ -49,7 +49,7 @@ pub(super) fn smoothed(t: &[f64], outputs: &[Option<Vec<f64>>], k: usize, reach:
 }
 
 /// Takes out the jumps of a whole turn between samples [rad].
-pub(super) fn unwrap(y: &mut [f64]) {
+pub(crate) fn unwrap(y: &mut [f64]) {
     let mut turns = 0.0;
     for k in 1..y.len() {
         let jump = y[k] + turns - y[k - 1];

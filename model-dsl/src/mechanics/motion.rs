@@ -309,6 +309,25 @@ fn joint(slides: bool, name: &str) -> String {
     if slides { format!("translate({name}, 0, 0)") } else { format!("rotate(z, {name})") }
 }
 
+/// Far from singular: all pivots of L D L^T are well above zero. Most rigs need no eigenvalues.
+fn regular(matrix: &[Vec<f64>]) -> bool {
+    let mut m = matrix.to_vec();
+    let n = m.len();
+    for k in 0..n {
+        if m[k][k].is_nan() || m[k][k] < 1e-8 {
+            return false;
+        }
+        let pivot = m[k].clone();
+        for row in m.iter_mut().skip(k + 1) {
+            let f = row[k] / pivot[k];
+            for (x, p) in row.iter_mut().zip(&pivot).skip(k) {
+                *x -= f * p;
+            }
+        }
+    }
+    true
+}
+
 /// Coordinates that move the same inertia, and inertias that are negative.
 fn jointly(c: &Context<'_>, moving: &[usize], samples: &[(Vec<Vec<f64>>, f64)], diagnostics: &mut Vec<Diagnostic>) {
     let negative_mass = diagnostics.iter().any(|d| matches!(d.code, "E0303" | "E0306" | "E0308"));
@@ -336,6 +355,9 @@ fn jointly(c: &Context<'_>, moving: &[usize], samples: &[(Vec<Vec<f64>>, f64)], 
         }
         let scaled: Vec<Vec<f64>> =
             moving.iter().map(|&i| moving.iter().map(|&j| m[i][j] / (m[i][i] * m[j][j]).sqrt()).collect()).collect();
+        if regular(&scaled) {
+            return;
+        }
         let Some((least, vector)) = eigen(&scaled).into_iter().next() else { return };
         if worst.as_ref().is_none_or(|(w, _)| least > *w) {
             worst = Some((least, vector));

@@ -5,65 +5,72 @@ use super::{Context, shown};
 use crate::diagnostic::Diagnostic;
 use crate::rig::{Expr, Span};
 
+/// A value whose sign is checked.
+struct Rule {
+    /// Statements that may have it.
+    keywords: &'static [&'static str],
+    /// Entry or option.
+    key: &'static str,
+    /// In words.
+    what: &'static str,
+    /// Zero is fine.
+    zero: bool,
+    unit: &'static str,
+    help: &'static str,
+}
+
+const IN: &[&str] = &["input", "actuator"];
+const LATE: &str = "a signal cannot arrive before it is sent";
+const LAG: Rule =
+    Rule { keywords: IN, key: "lag", what: "time constant", zero: false, unit: " s", help: "leave `lag` out for an actuator without lag" };
+const DELAY: Rule = Rule { keywords: IN, key: "delay", what: "delay", zero: true, unit: " s", help: LATE };
+const DEAD_ZONE: Rule =
+    Rule { keywords: IN, key: "dead_zone", what: "dead zone", zero: true, unit: "", help: "its half width is a positive number" };
+const OUTPUT_DELAY: Rule = Rule { keywords: &["output"], ..DELAY };
+const WIDTH: Rule = Rule {
+    keywords: &["friction"],
+    key: "width",
+    what: "friction's width",
+    zero: false,
+    unit: "",
+    help: "it is the speed over which Coulomb friction changes its sign, as in `coulomb F_c width 0.01`",
+};
+const SPEED: Rule = Rule {
+    keywords: &["friction"],
+    key: "speed",
+    what: "Stribeck speed",
+    zero: false,
+    unit: "",
+    help: "it is the speed over which static friction fades",
+};
+
 pub(super) fn check(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) {
     masses(c, diagnostics);
-    let mut positive = |what: String, e: Option<&Expr>, zero: bool, unit: &str, span: Span, help: &str| {
+    let mut positive = |rule: Rule, e: Option<&Expr>, name: &str, otherwise: Span| {
         let Some(x) = e.and_then(|e| c.numbers.value(e)) else { return };
-        if x < 0.0 || (x == 0.0 && !zero) {
-            let needs = if zero { "cannot be negative" } else { "must be positive" };
-            diagnostics.push(Diagnostic::error("E0310", format!("{what} {needs}"), span, format!("this is {}{unit}", shown(x))).help(help));
+        if x < 0.0 || (x == 0.0 && !rule.zero) {
+            let needs = if rule.zero { "cannot be negative" } else { "must be positive" };
+            let span = c.entry(rule.keywords, name, rule.key, otherwise);
+            let d = Diagnostic::error(
+                "E0310",
+                format!("the {} of `{name}` {needs}", rule.what),
+                span,
+                format!("this is {}{}", shown(x), rule.unit),
+            );
+            diagnostics.push(d.help(rule.help));
         }
     };
     for a in &c.rig.actuators {
-        let at = |key| c.entry(&["input", "actuator"], &a.name, key, a.span);
-        positive(
-            format!("the time constant of `{}`", a.name),
-            a.lag.as_ref(),
-            false,
-            " s",
-            at("lag"),
-            "leave `lag` out for an actuator without lag",
-        );
-        positive(
-            format!("the delay of `{}`", a.name),
-            a.delay.as_ref(),
-            true,
-            " s",
-            at("delay"),
-            "a signal cannot arrive before it is sent",
-        );
-        positive(
-            format!("the dead zone of `{}`", a.name),
-            a.dead_zone.as_ref(),
-            true,
-            "",
-            at("dead_zone"),
-            "its half width is a positive number",
-        );
+        positive(LAG, a.lag.as_ref(), &a.name, a.span);
+        positive(DELAY, a.delay.as_ref(), &a.name, a.span);
+        positive(DEAD_ZONE, a.dead_zone.as_ref(), &a.name, a.span);
     }
     for o in &c.rig.outputs {
-        let at = c.entry(&["output"], &o.name, "delay", o.span);
-        positive(format!("the delay of `{}`", o.name), o.delay.as_ref(), true, " s", at, "a signal cannot arrive before it is sent");
+        positive(OUTPUT_DELAY, o.delay.as_ref(), &o.name, o.span);
     }
     for f in &c.rig.frictions {
-        let at = |key| c.entry(&["friction"], &f.name, key, f.span);
-        positive(
-            format!("the width of the friction of `{}`", f.name),
-            f.width.as_ref(),
-            false,
-            "",
-            at("width"),
-            "the width is the speed over which Coulomb friction changes its sign, as in `coulomb F_c width 0.01`",
-        );
-        let speed = f.stribeck.as_ref().map(|(_, speed)| speed);
-        positive(
-            format!("the Stribeck speed of `{}`", f.name),
-            speed,
-            false,
-            "",
-            at("speed"),
-            "it is the speed over which static friction fades",
-        );
+        positive(WIDTH, f.width.as_ref(), &f.name, f.span);
+        positive(SPEED, f.stribeck.as_ref().map(|(_, speed)| speed), &f.name, f.span);
     }
     for a in &c.rig.actuators {
         if let Some((lo, hi)) = &a.saturation

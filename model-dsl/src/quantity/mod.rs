@@ -11,7 +11,7 @@ use explain::{hertz, unit_text};
 use std::collections::HashMap;
 
 /// After so many findings, suggestions are left out: they cost time, and nobody reads that far.
-const MANY: usize = 100;
+const MANY: usize = 20;
 
 /// What a name means.
 #[derive(Clone, Debug)]

@@ -1,0 +1,3 @@
+rig_macros::rig!("tests/fail/rigs/none.rig");
+
+fn main() {}

@@ -1,0 +1,3 @@
+rig_macros::rig! {}
+
+fn main() {}

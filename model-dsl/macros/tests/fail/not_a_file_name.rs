@@ -1,0 +1,3 @@
+rig_macros::rig!(42);
+
+fn main() {}

@@ -1,0 +1,3 @@
+rig_macros::rig!("tests/fail/rigs/good.rig", Cart, fast);
+
+fn main() {}

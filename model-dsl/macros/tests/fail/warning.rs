@@ -1,0 +1,14 @@
+#![deny(deprecated)]
+
+rig_macros::rig! {
+    rig Pendulum {
+        param m: kg = 0.2;
+        param l: m = 0.3;
+        coord theta: rad;
+        frame rod = ground.rotate(y, theta);
+        body bob on rod { mass m; at (0, 0, -l); }
+        param c: N*m*s = 0.1;
+    }
+}
+
+fn main() {}
