@@ -1,9 +1,10 @@
 //! A closed loop as the rig runs it: encoders, a controller at its own rate, limits, delays, a plant between samples.
 //!
 //! Each period: outputs are read (delay, wrap, quantum), the controller answers, the command is limited and held; the
-//! plant is integrated from switch to switch of the (delayed) inputs, never across one. Knows models through the trait.
+//! plant is integrated from switch to switch of the (delayed) inputs, never across one. Knows models through the trait; the encoder is that of `sim`.
 
 use runtime::{Model, OutputPath};
+use sim::encoder;
 use std::fmt;
 
 /// A sampled controller.
@@ -157,8 +158,14 @@ pub fn run(model: &dyn Model, p: &[f64], bench: &Bench, controller: &mut dyn Con
         let t = k as f64 * bench.period;
         model.outputs(t, &x, p, &mut y);
         past.push(t, &y);
-        let read: Vec<f64> =
-            outputs.iter().enumerate().map(|(i, path)| encoder(past.at(t - path.delay, i), path, bench.encoders)).collect();
+        let read: Vec<f64> = outputs
+            .iter()
+            .enumerate()
+            .map(|(i, path)| {
+                let value = past.at(t - path.delay, i);
+                if bench.encoders { encoder(value, path) } else { value }
+            })
+            .collect();
         if let Err(why) = controller.command(t, &read, &mut u) {
             run.status = Status::Controller(why);
             break;
@@ -246,16 +253,6 @@ impl Run {
     }
 }
 
-/// What an encoder reads: the nearest count; a wrapped one within half a turn.
-fn encoder(value: f64, path: &OutputPath, on: bool) -> f64 {
-    if !on {
-        return value;
-    }
-    let turn = std::f64::consts::TAU;
-    let wrapped = if path.wrapped { value - turn * (value / turn).round() } else { value };
-    if path.quantum > 0.0 { (wrapped / path.quantum).round() * path.quantum } else { wrapped }
-}
-
 /// Outputs of the past, for delays.
 #[derive(Default)]
 struct History {
@@ -275,6 +272,7 @@ impl History {
     fn at(&self, t: f64, i: usize) -> f64 {
         let k = self.t.partition_point(|&s| s < t);
         match (k.checked_sub(1).map(|j| (self.t[j], self.y[j][i])), self.t.get(k).map(|&s| (s, self.y[k][i]))) {
+            (_, Some((t1, y1))) if t1 == t => y1,
             (Some((t0, y0)), Some((t1, y1))) => y0 + (y1 - y0) * (t - t0) / (t1 - t0),
             (Some((_, y)), None) | (None, Some((_, y))) => y,
             (None, None) => 0.0,
@@ -308,15 +306,6 @@ fn runge_kutta(model: &dyn Model, p: &[f64], t: f64, x: &mut [f64], u: &[f64], h
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn encoders_round_to_counts_and_wrap() {
-        let path = OutputPath { delay: 0.0, quantum: 0.1, wrapped: false };
-        assert!((encoder(0.26, &path, true) - 0.3).abs() < 1e-15);
-        assert_eq!(encoder(0.26, &path, false), 0.26);
-        let turn = OutputPath { quantum: 0.0, wrapped: true, ..path };
-        assert!((encoder(4.0, &turn, true) - (4.0 - std::f64::consts::TAU)).abs() < 1e-15);
-    }
 
     #[test]
     fn delayed_outputs_lie_between_their_neighbours() {
