@@ -57,7 +57,7 @@ pub fn find(loaded: &Loaded, model: &InProcess, point: &Point) -> Result<Found, 
         TrimProblem { x, u, unknowns: solved.iter().map(unknown_of).collect(), zero: chosen.map(|t| t.zero.clone()).unwrap_or_default() }
     };
     let name = chosen.map(|t| t.name.clone());
-    let trim = control::solve(model, p, &problem).map_err(|e| failure(&e, name.as_deref(), layout, solved))?;
+    let trim = control::solve(model, p, &problem).map_err(|e| failure(&e, name.as_deref(), layout))?;
     let cyclic = cyclic(model, layout, &trim)?;
     let steady = if as_given { Vec::new() } else { steady(model, layout, &problem, &trim, &cyclic) };
     let solved = if as_given { Vec::new() } else { solved.iter().map(|d| d.name.clone()).collect() };
@@ -68,23 +68,22 @@ fn unknown_of(direction: &Direction) -> Unknown {
     Unknown { name: direction.name.clone(), states: direction.states.clone(), signals: direction.signals.clone() }
 }
 
-fn failure(error: &TrimError, name: Option<&str>, layout: &Layout, solved: &[Direction]) -> Failure {
+fn failure(error: &TrimError, name: Option<&str>, layout: &Layout) -> Failure {
     let trim = name.map_or_else(|| "this point".to_owned(), |n| format!("the trim `{n}`"));
-    let coordinate = |i: usize| layout.q.get(i).map_or("?", |q| q.name.as_str());
-    let unknowns: Vec<&str> = solved.iter().map(|d| d.name.as_str()).collect();
     match error {
-        TrimError::NotSquare { unknowns, equations } => Failure::new("C0302", format!("{trim} has {unknowns} unknowns and {equations} equations")),
-        TrimError::Singular(s) => singular(coordinate(s.coordinate)),
-        TrimError::NoConvergence { residual, coordinate: i, rank, iterations } => {
-            let q = &layout.q[*i];
-            let message = format!("{trim} has no solution near its start: after {iterations} steps an acceleration of {} {}/s^2 remains in `{}`", number(*residual), q.unit, q.name);
-            let help = if *rank < unknowns.len() {
-                format!("{} reach only {rank} of {} equations here: solve for something that moves `{}`", unknowns.join(", "), unknowns.len(), q.name)
-            } else {
+        TrimError::Singular { coordinate } => singular(coordinate),
+        TrimError::NoConvergence { residual, coordinate, rank, unknowns, free, iterations } => {
+            let unit = layout.q.iter().find(|q| q.name == *coordinate).map_or("SI", |q| q.unit.as_str());
+            let message = format!("{trim} has no solution near its start: after {iterations} steps an acceleration of {} {unit}/s^2 remains in `{coordinate}`", number(*residual));
+            let stuck: Vec<&str> = free.iter().flatten().map(|(n, _)| n.as_str()).collect();
+            let help = if stuck.is_empty() {
                 "no value of the unknowns may exist for these numbers; give a start nearer to it, or hold something else with --at".to_owned()
+            } else {
+                format!("{} moves nothing there (rank {rank} of {unknowns}): solve for something that moves `{coordinate}`", stuck.join(", "))
             };
             Failure::new("C0303", message).with_help(&help)
         }
+        TrimError::NotSquare { .. } | TrimError::Shape => Failure::new("C0302", format!("{trim}: {error}")),
         TrimError::NotFinite => Failure::new("C0304", format!("{trim}: a value stops being a number on the way")).with_help("check parameters that divide, and roots and logarithms of the rig"),
     }
 }

@@ -44,7 +44,8 @@ pub struct Equations {
     pub free: Vec<usize>,
     /// Accelerations of all coordinates.
     pub acceleration: Vec<Id>,
-    /// Pivots of the free coordinates' mass matrix, in the order of `free`: positive, or the model is singular.
+    /// Pivots of the free coordinates' mass matrix, in the order of `free`: positive, or the model is singular. They
+    /// are eliminated from the last to the first: the last one that is not positive is at fault.
     pub pivots: Vec<Id>,
     /// Inverse dynamics of all coordinates: M a + bias + dissipation - Q as a function of the symbols
     /// `layout.a`.
@@ -81,6 +82,13 @@ impl Equations {
     pub fn state_derivative(&self) -> Vec<Id> {
         let rates = self.layout.v.iter().map(|v| self.graph.node_of_symbol(v.symbol));
         rates.chain(self.acceleration.iter().copied()).chain(self.lag_rates.iter().copied()).collect()
+    }
+
+    /// Pivots in the order in which they are eliminated, each with its coordinate: the first one that is not
+    /// positive (or not a number) is at fault, those after it are spoilt by it.
+    #[must_use]
+    pub fn pivots_as_eliminated(&self) -> Vec<(usize, Id)> {
+        self.free.iter().copied().zip(self.pivots.iter().copied()).rev().collect()
     }
 
     /// Scalar operations of forward dynamics, common subexpressions shared.

@@ -177,3 +177,18 @@ fn long_models_are_written_over_named_parts() {
     let d = difference(&rig, &rig);
     assert!(d.changed.is_empty() && d.added.is_empty() && d.removed.is_empty());
 }
+
+#[test]
+fn functions_of_functions_do_not_explode() {
+    // written out, the last one has 2^40 names
+    let mut out = "rig Nested { param d0: 1 = 0.3; coord q: rad; frame f = ground.rotate(z, q); body b on f { mass 1 kg; at (1, 0, 0); }\n"
+        .to_owned();
+    for k in 1..=40 {
+        let _ = writeln!(out, "derived d{k}: 1 = sin(d{} + cos(d{}));", k - 1, k - 1);
+    }
+    out.push_str("torque t on q: 1 [N*m] * d40; }");
+    let rig = from_text(&out);
+    let shown = text(&rig, &equations(&rig));
+    assert!(shown.len() < 20_000, "{shown}");
+    assert_eq!(difference(&rig, &rig).to_string(), "the equations are the same\n");
+}

@@ -1,5 +1,6 @@
 //! Linear models at operating points: A, B, C, D, drift and poles.
 
+use crate::schur::eigenvalues;
 use nalgebra::{Complex, DMatrix};
 use runtime::{Model, Singular};
 use std::fmt;
@@ -25,7 +26,17 @@ pub struct LinearModel {
 #[derive(Clone, Debug, PartialEq)]
 pub enum LinearizeError {
     /// The mass matrix is singular here.
-    Singular(Singular),
+    Singular {
+        /// Coordinate that moves no inertia.
+        coordinate: String,
+    },
+    /// The directions of the inputs do not have one row for each signal of the model.
+    Directions {
+        /// Rows.
+        found: usize,
+        /// Signals.
+        wanted: usize,
+    },
     /// An entry is not finite.
     NotFinite,
 }
@@ -33,7 +44,8 @@ pub enum LinearizeError {
 impl fmt::Display for LinearizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Singular(s) => write!(f, "the mass matrix is singular in coordinate {}", s.coordinate),
+            Self::Singular { coordinate } => write!(f, "the mass matrix is singular here: {coordinate} moves no inertia"),
+            Self::Directions { found, wanted } => write!(f, "directions of inputs with {found} rows for {wanted} signals of the model"),
             Self::NotFinite => f.write_str("an entry of the linear model is not finite"),
         }
     }
@@ -56,8 +68,11 @@ pub fn linearize(
 ) -> Result<LinearModel, LinearizeError> {
     let d = model.dimensions();
     let (states, signals) = (d.states(), d.signals());
+    if directions.nrows() != signals {
+        return Err(LinearizeError::Directions { found: directions.nrows(), wanted: signals });
+    }
     let (mut dx, mut a, mut b) = (vec![0.0; states], vec![0.0; states * states], vec![0.0; states * signals]);
-    slope(&mut dx, &mut a, &mut b).map_err(LinearizeError::Singular)?;
+    slope(&mut dx, &mut a, &mut b).map_err(|s| LinearizeError::Singular { coordinate: model.names().state(s.coordinate).to_owned() })?;
     let a = DMatrix::from_row_slice(states, states, &a);
     let b = DMatrix::from_row_slice(states, signals, &b);
     let mut c = vec![0.0; d.outputs * states];
@@ -67,15 +82,6 @@ pub fn linearize(
     if a.iter().chain(b.iter()).chain(c.iter()).chain(&dx).any(|v| !v.is_finite()) {
         return Err(LinearizeError::NotFinite);
     }
-    Ok(LinearModel { drift: dx, poles: poles(&a), b: &b * directions, d: DMatrix::zeros(d.outputs, directions.ncols()), a, c })
-}
-
-/// Eigenvalues, by real part, then by imaginary part.
-#[must_use]
-pub fn poles(a: &DMatrix<f64>) -> Vec<Complex<f64>> {
-    let mut poles: Vec<Complex<f64>> = a.complex_eigenvalues().iter().copied().collect();
-    // rounding must not decide the order of a pair
-    let key = |x: f64| (x * 1e9).round();
-    poles.sort_by(|p, q| key(p.re).total_cmp(&key(q.re)).then(key(p.im).total_cmp(&key(q.im))));
-    poles
+    let poles = eigenvalues(&a).map_err(|_| LinearizeError::NotFinite)?;
+    Ok(LinearModel { drift: dx, poles, b: &b * directions, d: DMatrix::zeros(d.outputs, directions.ncols()), a, c })
 }

@@ -206,8 +206,9 @@ pub fn solve(data: RiccatiData<'_>, time: Time) -> Result<Riccati, RiccatiError>
     let eigen = SymmetricEigen::new(best.x.clone()).eigenvalues;
     let definiteness = if eigen.amax() > 0.0 { eigen.min() / eigen.amax() } else { 0.0 };
     let indefinite = core.weight_is_semidefinite() && definiteness < -1e-9;
-    // not `>`: a residual that is not a number fails too
-    if !(best.residual <= RESIDUAL) || indefinite || best.error > 1.0 {
+    // a value that is not a number is not sound
+    let sound = best.residual <= RESIDUAL && best.error <= 1.0 && !indefinite;
+    if !sound {
         return Err(RiccatiError::Inaccurate { residual: best.residual, error: best.error, definiteness, weakest: even.weakest() });
     }
     let gain = best.gain + &core.feed;
@@ -316,11 +317,16 @@ impl Core {
         let n = self.a.nrows();
         let not_finite = |_| RiccatiError::NotFinite { matrix: "A" };
         let size = self.a.norm();
+        // zero but for rounding
+        let clean = |z: Complex<f64>| {
+            let part = |x: f64| if x.abs() <= rounding(n) * size { 0.0 } else { x };
+            Complex::new(part(z.re), part(z.im))
+        };
         let margin = MARGINAL * size.max(if self.time == Time::Discrete { 1.0 } else { 0.0 });
         let unreached = Staircase::new(&self.a, &self.b, rounding(n)).map_err(not_finite)?;
         for z in eigenvalues(&unreached.rest).map_err(not_finite)? {
             if self.time.growth(z) >= -margin {
-                return Err(RiccatiError::Unreachable(pbh(&self.a, &self.b, z)));
+                return Err(RiccatiError::Unreachable(pbh(&self.a, &self.b, clean(z))));
             }
         }
         let (at, weight) = (self.a.transpose(), &self.q);
@@ -328,7 +334,7 @@ impl Core {
         let unseen = Staircase::new(&at, &weight, rounding(n)).map_err(not_finite)?;
         for z in eigenvalues(&unseen.rest).map_err(not_finite)? {
             if self.time.growth(z).abs() <= margin {
-                return Err(RiccatiError::Unseen(pbh(&at, &weight, z)));
+                return Err(RiccatiError::Unseen(pbh(&at, &weight, clean(z))));
             }
         }
         Ok(())

@@ -1,11 +1,11 @@
 /*
  * Cart and pole.
- * Generated from `cart_pole.rig` (model 845001bf); edit the rig, not this file.
+ * Generated from `cart_pole.rig` (model eaaaff00); edit the rig, not this file.
  *
  * The numbers of gymnasium's CartPole (cart 1 kg, pole 0.1 kg, half length 0.5 m), with the pole a
  * uniform rod. theta = 0 is upright, positive towards +x.
  *
- * 34 operations forward, 70 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 33 operations forward, 64 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -153,25 +153,24 @@ int cart_pole_forward_dynamics(const struct cart_pole_state *x, const struct car
     const double J = p->m_p * p->l * p->l / 3.0;
     /* body rod on pole */
     const double mc_pole_z = p->m_p * p->l;
+    const double I_pole_xx = J + p->l * mc_pole_z;
     /* frame pole on rail */
     const double a_pole_x = -p->g * s_theta;
+    const double n_pole_y = mc_pole_z * a_pole_x;
     const double f_pole_z = p->m_p * p->g * c_theta - mc_pole_z * v->theta * v->theta;
     const double f_rail_x = f_pole_z * s_theta + p->m_p * a_pole_x * c_theta;
-    /* frame rail on ground */
-    const double M_x_x = p->m_c + p->m_p;
-    /* balance of forces */
-    const double tau_x = u->F - f_rail_x;
-    /* M = L D L^T and back-substitution */
-    const double inv_x = 1.0 / M_x_x;
-    const double l_theta_x = mc_pole_z * inv_x * c_theta;
-    const double pivot_theta = J + p->l * mc_pole_z - l_theta_x * M_x_x * l_theta_x;
-    const double theta_ddot = (-mc_pole_z * a_pole_x - tau_x * l_theta_x) / pivot_theta;
-    const double x_ddot = tau_x * inv_x - l_theta_x * theta_ddot;
-    if (!(M_x_x > 0.0)) {
-        return 1;
-    }
-    if (!(pivot_theta > 0.0)) {
+    const double M_x_theta = mc_pole_z * c_theta;
+    /* M = L^T D L and back-substitution */
+    const double inv_theta = 1.0 / I_pole_xx;
+    const double l_theta_x = M_x_theta * inv_theta;
+    const double pivot_x = p->m_c + p->m_p - M_x_theta * l_theta_x;
+    const double x_ddot = (u->F - f_rail_x + n_pole_y * l_theta_x) / pivot_x;
+    const double theta_ddot = -n_pole_y * inv_theta - l_theta_x * x_ddot;
+    if (!(I_pole_xx > 0.0)) {
         return 2;
+    }
+    if (!(pivot_x > 0.0)) {
+        return 1;
     }
     a->x = x_ddot;
     a->theta = theta_ddot;
@@ -187,43 +186,39 @@ int cart_pole_linearize(const struct cart_pole_state *x, const struct cart_pole_
     const double J = p->m_p * p->l * p->l / 3.0;
     /* body rod on pole */
     const double mc_pole_z = p->m_p * p->l;
+    const double I_pole_xx = J + p->l * mc_pole_z;
     /* frame pole on rail */
     const double f_pole_z = -mc_pole_z * v->theta * v->theta;
     const double a_pole_z = p->g * c_theta;
     const double a_pole_x = -p->g * s_theta;
+    const double n_pole_y = mc_pole_z * a_pole_x;
     const double f_rail_x = s_theta * (p->m_p * a_pole_z + f_pole_z) + p->m_p * a_pole_x * c_theta;
-    /* frame rail on ground */
-    const double M_x_x = p->m_c + p->m_p;
-    /* balance of forces */
-    const double tau_x = u->F - f_rail_x;
-    /* M = L D L^T and back-substitution */
-    const double inv_x = 1.0 / M_x_x;
-    const double l_theta_x = mc_pole_z * inv_x * c_theta;
-    const double pivot_theta = J + p->l * mc_pole_z - l_theta_x * M_x_x * l_theta_x;
-    const double inv_theta = 1.0 / pivot_theta;
-    const double theta_ddot = inv_theta * (-mc_pole_z * a_pole_x - tau_x * l_theta_x);
-    const double x_ddot = tau_x * inv_x - l_theta_x * theta_ddot;
-    /* derivatives with respect to theta_dot */
-    const double by_theta_dot_1 = 2.0 * mc_pole_z * s_theta * v->theta;
-    const double d_theta_ddot_by_theta_dot = -inv_theta * l_theta_x * by_theta_dot_1;
-    const double d_x_ddot_by_theta_dot = inv_x * by_theta_dot_1 - l_theta_x * d_theta_ddot_by_theta_dot;
+    const double M_x_theta = mc_pole_z * c_theta;
+    /* M = L^T D L and back-substitution */
+    const double inv_theta = 1.0 / I_pole_xx;
+    const double l_theta_x = M_x_theta * inv_theta;
+    const double pivot_x = p->m_c + p->m_p - M_x_theta * l_theta_x;
+    const double inv_x = 1.0 / pivot_x;
+    const double x_ddot = inv_x * (u->F - f_rail_x + n_pole_y * l_theta_x);
+    const double theta_ddot = -n_pole_y * inv_theta - l_theta_x * x_ddot;
     /* slopes of the balance of forces, at the accelerations found */
     const double a_pole_z_plus_x_ddot_s_theta = a_pole_z + x_ddot * s_theta;
     const double slopes_1 = p->m_p * (x_ddot * c_theta + a_pole_x);
     const double slopes_2 = p->m_p * a_pole_z_plus_x_ddot_s_theta;
     const double slopes_3 = s_theta * (slopes_1 + mc_pole_z * theta_ddot);
-    const double slopes_4 = c_theta * (slopes_2 + f_pole_z) + slopes_1 * s_theta;
+    const double slopes_4 = mc_pole_z * a_pole_z_plus_x_ddot_s_theta;
+    const double slopes_5 = c_theta * (slopes_2 + f_pole_z) + slopes_1 * s_theta;
     /* derivatives with respect to theta */
-    const double by_theta_1 = slopes_3 + slopes_2 * c_theta - slopes_4;
-    const double d_theta_ddot_by_theta = inv_theta * (mc_pole_z * a_pole_z_plus_x_ddot_s_theta - l_theta_x * by_theta_1);
-    const double d_x_ddot_by_theta = inv_x * by_theta_1 - l_theta_x * d_theta_ddot_by_theta;
-    /* derivatives with respect to F */
-    const double d_theta_ddot_by_F = -l_theta_x * inv_theta;
-    if (!(M_x_x > 0.0)) {
-        return 1;
-    }
-    if (!(pivot_theta > 0.0)) {
+    const double by_theta_1 = slopes_3 + slopes_2 * c_theta - slopes_5;
+    const double d_x_ddot_by_theta = inv_x * (by_theta_1 - l_theta_x * slopes_4);
+    const double d_theta_ddot_by_theta = inv_theta * slopes_4 - l_theta_x * d_x_ddot_by_theta;
+    /* derivatives with respect to theta_dot */
+    const double d_x_ddot_by_theta_dot = 2.0 * inv_x * mc_pole_z * s_theta * v->theta;
+    if (!(I_pole_xx > 0.0)) {
         return 2;
+    }
+    if (!(pivot_x > 0.0)) {
+        return 1;
     }
     dx[0] = v->x; /* x' */
     dx[1] = v->theta; /* theta' */
@@ -239,14 +234,14 @@ int cart_pole_linearize(const struct cart_pole_state *x, const struct cart_pole_
     a[2][1] = d_x_ddot_by_theta; /* x'' */
     a[2][3] = d_x_ddot_by_theta_dot;
     a[3][1] = d_theta_ddot_by_theta; /* theta'' */
-    a[3][3] = d_theta_ddot_by_theta_dot;
+    a[3][3] = -l_theta_x * d_x_ddot_by_theta_dot;
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 1; j++) {
             b[i][j] = 0.0;
         }
     }
-    b[2][0] = inv_x - l_theta_x * d_theta_ddot_by_F; /* x'' */
-    b[3][0] = d_theta_ddot_by_F; /* theta'' */
+    b[2][0] = inv_x; /* x'' */
+    b[3][0] = -l_theta_x * inv_x; /* theta'' */
     return 0;
 }
 
@@ -264,21 +259,18 @@ int cart_pole_parameter_jacobian(const struct cart_pole_state *x, const struct c
     const double theta_dot_sq = v->theta * v->theta;
     const double a_pole_z = p->g * c_theta;
     const double a_pole_x = -p->g * s_theta;
+    const double n_pole_y = mc_pole_z * a_pole_x;
     const double f_pole_z = p->m_p * a_pole_z - mc_pole_z * theta_dot_sq;
     const double f_rail_x = f_pole_z * s_theta + p->m_p * a_pole_x * c_theta;
-    /* frame rail on ground */
-    const double M_x_x = p->m_c + p->m_p;
-    /* balance of forces */
-    const double tau_x = u->F - f_rail_x;
-    /* M = L D L^T and back-substitution */
-    const double inv_x = 1.0 / M_x_x;
-    const double l_theta_x = mc_pole_z * inv_x * c_theta;
-    const double pivot_theta = I_pole_xx - l_theta_x * M_x_x * l_theta_x;
-    const double inv_theta = 1.0 / pivot_theta;
-    const double tau_x_inv_x = tau_x * inv_x;
-    const double theta_ddot = inv_theta * (-mc_pole_z * a_pole_x - tau_x * l_theta_x);
-    const double l_theta_x_theta_ddot = l_theta_x * theta_ddot;
-    const double x_ddot = tau_x_inv_x - l_theta_x_theta_ddot;
+    const double mc_pole_z_s_theta = mc_pole_z * s_theta;
+    const double M_x_theta = mc_pole_z * c_theta;
+    /* M = L^T D L and back-substitution */
+    const double inv_theta = 1.0 / I_pole_xx;
+    const double l_theta_x = M_x_theta * inv_theta;
+    const double pivot_x = p->m_c + p->m_p - M_x_theta * l_theta_x;
+    const double inv_x = 1.0 / pivot_x;
+    const double x_ddot = inv_x * (u->F - f_rail_x + n_pole_y * l_theta_x);
+    const double theta_ddot = -n_pole_y * inv_theta - l_theta_x * x_ddot;
     /* slopes of the balance of forces, at the accelerations found */
     const double x_ddot_c_theta_plus_a_pole_x = x_ddot * c_theta + a_pole_x;
     const double slopes_1 = theta_ddot * (l_sq + l_sq / 3.0) + p->l * x_ddot_c_theta_plus_a_pole_x;
@@ -286,25 +278,23 @@ int cart_pole_parameter_jacobian(const struct cart_pole_state *x, const struct c
     const double slopes_3 = slopes_2 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p->l * theta_ddot);
     const double slopes_4 = p->m_p * x_ddot_c_theta_plus_a_pole_x + theta_ddot * (2.0 * p->m_p * p->l / 3.0 + 2.0 * mc_pole_z);
     /* derivatives with respect to m_c */
-    const double by_m_c_1 = l_theta_x_theta_ddot - tau_x_inv_x;
-    const double d_theta_ddot_by_m_c = -inv_theta * l_theta_x * by_m_c_1;
-    const double d_x_ddot_by_m_c = inv_x * by_m_c_1 - l_theta_x * d_theta_ddot_by_m_c;
+    const double d_x_ddot_by_m_c = -inv_x * x_ddot;
     /* derivatives with respect to m_p */
-    const double d_theta_ddot_by_m_p = inv_theta * (l_theta_x * slopes_3 - slopes_1);
-    const double d_x_ddot_by_m_p = -inv_x * slopes_3 - l_theta_x * d_theta_ddot_by_m_p;
+    const double d_x_ddot_by_m_p = inv_x * (l_theta_x * slopes_1 - slopes_3);
+    const double d_theta_ddot_by_m_p = -inv_theta * slopes_1 - l_theta_x * d_x_ddot_by_m_p;
     /* derivatives with respect to l */
     const double by_l_1 = p->m_p * theta_dot_sq * s_theta - p->m_p * theta_ddot * c_theta;
-    const double d_theta_ddot_by_l = -inv_theta * (slopes_4 + l_theta_x * by_l_1);
-    const double d_x_ddot_by_l = inv_x * by_l_1 - l_theta_x * d_theta_ddot_by_l;
+    const double d_x_ddot_by_l = inv_x * (by_l_1 + l_theta_x * slopes_4);
+    const double d_theta_ddot_by_l = -inv_theta * slopes_4 - l_theta_x * d_x_ddot_by_l;
     /* derivatives with respect to g */
     const double by_g_1 = p->m_p * c_theta * s_theta - p->m_p * s_theta * c_theta;
-    const double d_theta_ddot_by_g = inv_theta * (mc_pole_z * s_theta - l_theta_x * by_g_1);
-    const double d_x_ddot_by_g = inv_x * by_g_1 - l_theta_x * d_theta_ddot_by_g;
-    if (!(M_x_x > 0.0)) {
-        return 1;
-    }
-    if (!(pivot_theta > 0.0)) {
+    const double d_x_ddot_by_g = inv_x * (by_g_1 - mc_pole_z_s_theta * l_theta_x);
+    const double d_theta_ddot_by_g = mc_pole_z_s_theta * inv_theta - l_theta_x * d_x_ddot_by_g;
+    if (!(I_pole_xx > 0.0)) {
         return 2;
+    }
+    if (!(pivot_x > 0.0)) {
+        return 1;
     }
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
@@ -315,7 +305,7 @@ int cart_pole_parameter_jacobian(const struct cart_pole_state *x, const struct c
     by_p[2][1] = d_x_ddot_by_m_p;
     by_p[2][2] = d_x_ddot_by_l;
     by_p[2][3] = d_x_ddot_by_g;
-    by_p[3][0] = d_theta_ddot_by_m_c; /* theta'' */
+    by_p[3][0] = -l_theta_x * d_x_ddot_by_m_c; /* theta'' */
     by_p[3][1] = d_theta_ddot_by_m_p;
     by_p[3][2] = d_theta_ddot_by_l;
     by_p[3][3] = d_theta_ddot_by_g;

@@ -1,11 +1,11 @@
 /*
  * Cart and pole.
- * Generated from `cart_pole.rig` (model 845001bf); edit the rig, not this file.
+ * Generated from `cart_pole.rig` (model eaaaff00); edit the rig, not this file.
  *
  * The numbers of gymnasium's CartPole (cart 1 kg, pole 0.1 kg, half length 0.5 m), with the pole a
  * uniform rod. theta = 0 is upright, positive towards +x.
  *
- * 34 operations forward, 70 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 33 operations forward, 64 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -107,8 +107,8 @@ void cart_pole_inverse_dynamics(const struct cart_pole_state *x, const struct ca
  */
 void cart_pole_outputs(const struct cart_pole_state *x, const struct cart_pole_parameters *p, struct cart_pole_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
- * 34 operations.
+/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 33 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
@@ -116,7 +116,7 @@ void cart_pole_outputs(const struct cart_pole_state *x, const struct cart_pole_p
 int cart_pole_forward_dynamics(const struct cart_pole_state *x, const struct cart_pole_inputs *u, const struct cart_pole_parameters *p, struct cart_pole_accelerations *a);
 
 /* State derivative and its Jacobians A, B, exact, at any state.
- * 70 operations.
+ * 64 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *          x theta x.dot theta.dot | F

@@ -1,11 +1,11 @@
 /*
  * Furuta pendulum (QUBE-Servo 2).
- * Generated from `furuta.rig` (model 2cb38b95); edit the rig, not this file.
+ * Generated from `furuta.rig` (model 060d2e34); edit the rig, not this file.
  *
  * Uniform thin rods as in Quanser's QUBE-Servo 2 data sheet, motor rotor and hub on the arm's axis.
  * alpha = 0 hangs down; theta about the upright axis, alpha about the arm.
  *
- * 78 operations forward, 190 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 69 operations forward, 160 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -59,19 +59,17 @@ void furuta_bias(const struct furuta_coordinates *q, const struct furuta_rates *
     /* frame pendulum on arm */
     const double omega_pendulum_y = s_alpha * v->theta;
     const double omega_pendulum_z = c_alpha * v->theta;
+    const double pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     const double f_pendulum_z = -mc_pendulum_z * (v->alpha * v->alpha + omega_pendulum_y * omega_pendulum_y);
-    const double I_pendulum_xx_alpha_dot = I_pendulum_xx * v->alpha;
-    const double pendulum_1 = I_pendulum_xx * omega_pendulum_y;
-    const double n_pendulum_z = pendulum_1 * v->alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    const double pendulum_2 = I_pendulum_xx * omega_pendulum_z * v->alpha + omega_pendulum_z * I_pendulum_xx_alpha_dot;
+    const double pendulum_2 = 2.0 * I_pendulum_xx * omega_pendulum_z * v->alpha;
     const double n_pendulum_y = pendulum_2 - p->r * mc_pendulum_z * v->theta * v->theta;
-    const double n_pendulum_1_z = n_pendulum_y * s_alpha + n_pendulum_z * c_alpha;
     const double a_pendulum_y = p->g * s_alpha;
-    const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * omega_pendulum_y * omega_pendulum_z;
+    const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
     const double f_pendulum_z_2 = f_pendulum_z + p->m_p * p->g * c_alpha;
-    const double n_pendulum_x = -mc_pendulum_z * a_pendulum_y - omega_pendulum_z * pendulum_1;
+    const double n_pendulum_x = -mc_pendulum_z * a_pendulum_y - I_pendulum_xx * pendulum_1;
     const double f_pendulum_1_y = f_pendulum_y * c_alpha - f_pendulum_z_2 * s_alpha;
-    h[0] = n_pendulum_1_z + p->r * f_pendulum_1_y; /* theta */
+    const double n_arm_z = n_pendulum_y * s_alpha + p->r * f_pendulum_1_y;
+    h[0] = n_arm_z; /* theta */
     h[1] = n_pendulum_x; /* alpha */
 }
 
@@ -87,17 +85,14 @@ void furuta_velocity_products(const struct furuta_coordinates *q, const struct f
     /* frame pendulum on arm */
     const double omega_pendulum_y = s_alpha * v->theta;
     const double omega_pendulum_z = c_alpha * v->theta;
+    const double pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     const double f_pendulum_z = -mc_pendulum_z * (v->alpha * v->alpha + omega_pendulum_y * omega_pendulum_y);
-    const double I_pendulum_xx_alpha_dot = I_pendulum_xx * v->alpha;
-    const double pendulum_1 = I_pendulum_xx * omega_pendulum_y;
-    const double n_pendulum_z = pendulum_1 * v->alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    const double pendulum_2 = I_pendulum_xx * omega_pendulum_z * v->alpha + omega_pendulum_z * I_pendulum_xx_alpha_dot;
+    const double pendulum_2 = 2.0 * I_pendulum_xx * omega_pendulum_z * v->alpha;
     const double n_pendulum_y = pendulum_2 - p->r * mc_pendulum_z * v->theta * v->theta;
-    const double pendulum_3 = mc_pendulum_z * omega_pendulum_y * omega_pendulum_z * c_alpha;
-    const double n_pendulum_1_z = n_pendulum_y * s_alpha + n_pendulum_z * c_alpha;
-    const double n_arm_z = n_pendulum_1_z - p->r * (f_pendulum_z * s_alpha - pendulum_3);
+    const double f_pendulum_1_y = mc_pendulum_z * pendulum_1 * c_alpha - f_pendulum_z * s_alpha;
+    const double n_arm_z = n_pendulum_y * s_alpha + p->r * f_pendulum_1_y;
     c[0] = n_arm_z; /* theta */
-    c[1] = -omega_pendulum_z * pendulum_1; /* alpha */
+    c[1] = -I_pendulum_xx * pendulum_1; /* alpha */
 }
 
 void furuta_gravity(const struct furuta_coordinates *q, const struct furuta_parameters *p, double g[2])
@@ -187,26 +182,22 @@ void furuta_inverse_dynamics(const struct furuta_state *x, const struct furuta_a
     /* frame pendulum on arm */
     const double omega_pendulum_y = s_alpha * v->theta;
     const double omega_pendulum_z = c_alpha * v->theta;
+    const double alpha_pendulum_y = omega_pendulum_z * v->alpha;
+    const double pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     const double f_pendulum_z = -mc_pendulum_z * (v->alpha * v->alpha + omega_pendulum_y * omega_pendulum_y);
-    const double I_pendulum_xx_alpha_dot = I_pendulum_xx * v->alpha;
-    const double pendulum_1 = I_pendulum_xx * omega_pendulum_y;
-    const double n_pendulum_z = pendulum_1 * v->alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    const double alpha_pendulum_y = omega_pendulum_z * v->alpha + s_alpha * a->theta;
-    const double pendulum_2 = mc_pendulum_z * (omega_pendulum_y * omega_pendulum_z - a->alpha);
-    const double pendulum_3 = I_pendulum_xx * a->alpha - omega_pendulum_z * pendulum_1;
-    const double pendulum_4 = omega_pendulum_z * I_pendulum_xx_alpha_dot + I_pendulum_xx * alpha_pendulum_y;
+    const double pendulum_2 = I_pendulum_xx * (alpha_pendulum_y + s_alpha * a->theta);
+    const double pendulum_3 = I_pendulum_xx * a->alpha - I_pendulum_xx * pendulum_1;
+    const double pendulum_4 = I_pendulum_xx * alpha_pendulum_y + pendulum_2;
     const double n_pendulum_y = pendulum_4 - p->r * mc_pendulum_z * v->theta * v->theta;
-    const double n_pendulum_1_z = n_pendulum_z * c_alpha + n_pendulum_y * s_alpha;
     /* gravity */
     const double a_pendulum_1_y = p->r * a->theta;
     /* frame pendulum on arm */
     const double a_pendulum_y = p->g * s_alpha + a_pendulum_1_y * c_alpha;
     const double a_pendulum_z = p->g * c_alpha - a_pendulum_1_y * s_alpha;
-    const double pendulum_5 = c_alpha * (p->m_p * a_pendulum_y + pendulum_2);
-    const double f_pendulum_1_y = pendulum_5 - s_alpha * (f_pendulum_z + p->m_p * a_pendulum_z);
-    /* frame arm on ground */
-    const double n_arm_z = I_arm_yy * a->theta + n_pendulum_1_z + p->r * f_pendulum_1_y;
-    r[0] = n_arm_z - u->tau + a->theta * (p->J_m + p->J_h); /* theta */
+    const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * (pendulum_1 - a->alpha);
+    const double pendulum_5 = s_alpha * (f_pendulum_z + p->m_p * a_pendulum_z);
+    const double pendulum_1_1 = n_pendulum_y * s_alpha + p->r * (f_pendulum_y * c_alpha - pendulum_5);
+    r[0] = I_arm_yy * a->theta + pendulum_1_1 - u->tau + a->theta * (p->J_m + p->J_h); /* theta */
     r[1] = pendulum_3 - mc_pendulum_z * a_pendulum_y; /* alpha */
 }
 
@@ -236,34 +227,32 @@ int furuta_forward_dynamics(const struct furuta_state *x, const struct furuta_in
     /* frame pendulum on arm */
     const double omega_pendulum_y = s_alpha * v->theta;
     const double omega_pendulum_z = c_alpha * v->theta;
+    const double pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     const double f_pendulum_z = -mc_pendulum_z * (v->alpha * v->alpha + omega_pendulum_y * omega_pendulum_y);
-    const double I_pendulum_xx_alpha_dot = I_pendulum_xx * v->alpha;
-    const double pendulum_1 = I_pendulum_xx * omega_pendulum_y;
-    const double n_pendulum_z = pendulum_1 * v->alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    const double pendulum_2 = I_pendulum_xx * omega_pendulum_z * v->alpha + omega_pendulum_z * I_pendulum_xx_alpha_dot;
+    const double pendulum_2 = 2.0 * I_pendulum_xx * omega_pendulum_z * v->alpha;
     const double n_pendulum_y = pendulum_2 - p->r * mc_pendulum_z * v->theta * v->theta;
-    const double n_pendulum_1_z = n_pendulum_y * s_alpha + n_pendulum_z * c_alpha;
     const double a_pendulum_y = p->g * s_alpha;
-    const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * omega_pendulum_y * omega_pendulum_z;
+    const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
     const double f_pendulum_z_2 = f_pendulum_z + p->m_p * p->g * c_alpha;
     const double f_pendulum_1_y = f_pendulum_y * c_alpha - f_pendulum_z_2 * s_alpha;
+    const double M_theta_alpha = -p->r * mc_pendulum_z * c_alpha;
+    const double n_arm_z = n_pendulum_y * s_alpha + p->r * f_pendulum_1_y;
     const double pendulum_1_1 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
     /* kinetic energy rotor */
     const double M_theta_theta = I_arm_yy + pendulum_1_1 + p->J_m + p->J_h;
     /* balance of forces */
-    const double tau_theta = u->tau - n_pendulum_1_z - p->r * f_pendulum_1_y;
-    const double tau_alpha = omega_pendulum_z * pendulum_1 + mc_pendulum_z * a_pendulum_y;
-    /* M = L D L^T and back-substitution */
-    const double inv_theta = 1.0 / M_theta_theta;
-    const double l_alpha_theta = -p->r * mc_pendulum_z * inv_theta * c_alpha;
-    const double pivot_alpha = I_pendulum_xx - l_alpha_theta * M_theta_theta * l_alpha_theta;
-    const double alpha_ddot = (tau_alpha - tau_theta * l_alpha_theta) / pivot_alpha;
-    const double theta_ddot = tau_theta * inv_theta - l_alpha_theta * alpha_ddot;
-    if (!(M_theta_theta > 0.0)) {
-        return 1;
-    }
-    if (!(pivot_alpha > 0.0)) {
+    const double tau_alpha = I_pendulum_xx * pendulum_1 + mc_pendulum_z * a_pendulum_y;
+    /* M = L^T D L and back-substitution */
+    const double inv_alpha = 1.0 / I_pendulum_xx;
+    const double l_alpha_theta = M_theta_alpha * inv_alpha;
+    const double pivot_theta = M_theta_theta - M_theta_alpha * l_alpha_theta;
+    const double theta_ddot = (u->tau - n_arm_z - tau_alpha * l_alpha_theta) / pivot_theta;
+    const double alpha_ddot = tau_alpha * inv_alpha - l_alpha_theta * theta_ddot;
+    if (!(I_pendulum_xx > 0.0)) {
         return 2;
+    }
+    if (!(pivot_theta > 0.0)) {
+        return 1;
     }
     a->theta = theta_ddot;
     a->alpha = alpha_ddot;
@@ -289,83 +278,68 @@ int furuta_linearize(const struct furuta_state *x, const struct furuta_inputs *u
     const double omega_pendulum_y = s_alpha * v->theta;
     const double omega_pendulum_z = c_alpha * v->theta;
     const double alpha_pendulum_y = omega_pendulum_z * v->alpha;
+    const double alpha_pendulum_z = -omega_pendulum_y * v->alpha;
     const double pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     const double omega_pendulum_y_sq = omega_pendulum_y * omega_pendulum_y;
     const double f_pendulum_z = -mc_pendulum_z * (v->alpha * v->alpha + omega_pendulum_y_sq);
-    const double I_pendulum_xx_alpha_dot = I_pendulum_xx * v->alpha;
-    const double pendulum_2 = I_pendulum_xx * omega_pendulum_y;
-    const double pendulum_3 = omega_pendulum_z * I_pendulum_xx_alpha_dot;
-    const double pendulum_4 = omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    const double n_pendulum_z = pendulum_2 * v->alpha - pendulum_4;
+    const double pendulum_2 = I_pendulum_xx * alpha_pendulum_y;
     const double r_mc_pendulum_z_theta_dot_sq = p->r * mc_pendulum_z * v->theta * v->theta;
-    const double n_pendulum_y = I_pendulum_xx * alpha_pendulum_y - r_mc_pendulum_z_theta_dot_sq + pendulum_3;
-    const double n_pendulum_1_z = n_pendulum_y * s_alpha + n_pendulum_z * c_alpha;
+    const double n_pendulum_1_z = s_alpha * (2.0 * pendulum_2 - r_mc_pendulum_z_theta_dot_sq);
     const double a_pendulum_y = p->g * s_alpha;
     const double a_pendulum_z = p->g * c_alpha;
     const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
-    const double pendulum_5 = s_alpha * (f_pendulum_z + p->m_p * a_pendulum_z);
-    const double n_arm_z = n_pendulum_1_z + p->r * (f_pendulum_y * c_alpha - pendulum_5);
+    const double pendulum_3 = s_alpha * (f_pendulum_z + p->m_p * a_pendulum_z);
+    const double M_theta_alpha = -p->r * mc_pendulum_z * c_alpha;
+    const double n_arm_z = n_pendulum_1_z + p->r * (f_pendulum_y * c_alpha - pendulum_3);
     const double pendulum_1_1 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
     /* kinetic energy rotor */
     const double M_theta_theta = I_arm_yy + pendulum_1_1 + p->J_m + p->J_h;
     /* balance of forces */
-    const double tau_theta = u->tau - n_arm_z;
-    const double tau_alpha = omega_pendulum_z * pendulum_2 + mc_pendulum_z * a_pendulum_y;
-    /* M = L D L^T and back-substitution */
-    const double inv_theta = 1.0 / M_theta_theta;
-    const double l_alpha_theta = -p->r * mc_pendulum_z * inv_theta * c_alpha;
-    const double pivot_alpha = I_pendulum_xx - l_alpha_theta * M_theta_theta * l_alpha_theta;
-    const double inv_alpha = 1.0 / pivot_alpha;
-    const double alpha_ddot = inv_alpha * (tau_alpha - tau_theta * l_alpha_theta);
-    const double theta_ddot = tau_theta * inv_theta - l_alpha_theta * alpha_ddot;
+    const double tau_alpha = I_pendulum_xx * pendulum_1 + mc_pendulum_z * a_pendulum_y;
+    /* M = L^T D L and back-substitution */
+    const double inv_alpha = 1.0 / I_pendulum_xx;
+    const double l_alpha_theta = M_theta_alpha * inv_alpha;
+    const double pivot_theta = M_theta_theta - M_theta_alpha * l_alpha_theta;
+    const double inv_theta = 1.0 / pivot_theta;
+    const double theta_ddot = inv_theta * (u->tau - n_arm_z - tau_alpha * l_alpha_theta);
+    const double alpha_ddot = tau_alpha * inv_alpha - l_alpha_theta * theta_ddot;
     /* derivatives with respect to alpha */
+    const double by_alpha_1 = omega_pendulum_z * omega_pendulum_z - omega_pendulum_y_sq;
     const double two_omega_pendulum_y = 2.0 * omega_pendulum_y;
-    const double by_alpha_1 = I_pendulum_xx * omega_pendulum_z;
-    const double by_alpha_2 = c_alpha * (by_alpha_1 * v->alpha - pendulum_3);
-    const double by_alpha_3 = mc_pendulum_z * (omega_pendulum_z * omega_pendulum_z - omega_pendulum_y_sq);
-    const double by_alpha_4 = omega_pendulum_y * pendulum_2 - omega_pendulum_z * by_alpha_1;
     /* derivatives with respect to theta_dot */
     const double by_theta_dot_1 = omega_pendulum_z * s_alpha + omega_pendulum_y * c_alpha;
-    const double I_pendulum_xx_s_alpha = I_pendulum_xx * s_alpha;
-    const double by_theta_dot_2 = pendulum_2 * c_alpha + omega_pendulum_z * I_pendulum_xx_s_alpha;
-    const double by_theta_dot_3 = c_alpha * (I_pendulum_xx_s_alpha * v->alpha - I_pendulum_xx_alpha_dot * s_alpha);
-    const double by_theta_dot_4 = I_pendulum_xx_alpha_dot * c_alpha + I_pendulum_xx * c_alpha * v->alpha;
-    const double by_theta_dot_5 = mc_pendulum_z * two_omega_pendulum_y * s_alpha * s_alpha;
-    const double by_theta_dot_6 = s_alpha * (by_theta_dot_4 - 2.0 * p->r * mc_pendulum_z * v->theta);
-    const double by_theta_dot_7 = p->r * (-mc_pendulum_z * by_theta_dot_1 * c_alpha - by_theta_dot_5);
-    const double by_theta_dot_8 = by_theta_dot_7 - by_theta_dot_3 - by_theta_dot_6;
-    const double d_alpha_ddot_by_theta_dot = inv_alpha * (by_theta_dot_2 - l_alpha_theta * by_theta_dot_8);
-    const double d_theta_ddot_by_theta_dot = inv_theta * by_theta_dot_8 - l_alpha_theta * d_alpha_ddot_by_theta_dot;
+    const double I_pendulum_xx_by_theta_dot_1 = I_pendulum_xx * by_theta_dot_1;
+    const double by_theta_dot_2 = 2.0 * I_pendulum_xx * c_alpha * v->alpha;
+    const double by_theta_dot_3 = mc_pendulum_z * two_omega_pendulum_y * s_alpha * s_alpha;
+    const double by_theta_dot_4 = s_alpha * (by_theta_dot_2 - 2.0 * p->r * mc_pendulum_z * v->theta);
+    const double by_theta_dot_5 = p->r * (-mc_pendulum_z * by_theta_dot_1 * c_alpha - by_theta_dot_3);
+    const double d_theta_ddot_by_theta_dot = inv_theta * (by_theta_dot_5 - by_theta_dot_4 - l_alpha_theta * I_pendulum_xx_by_theta_dot_1);
+    const double d_alpha_ddot_by_theta_dot = inv_alpha * I_pendulum_xx_by_theta_dot_1 - l_alpha_theta * d_theta_ddot_by_theta_dot;
     /* derivatives with respect to alpha_dot */
-    const double by_alpha_dot_1 = 2.0 * p->r * mc_pendulum_z * s_alpha * v->alpha;
-    const double by_alpha_dot_2 = by_alpha_dot_1 + 2.0 * by_alpha_1 * s_alpha;
-    const double d_alpha_ddot_by_alpha_dot = inv_alpha * l_alpha_theta * by_alpha_dot_2;
-    const double d_theta_ddot_by_alpha_dot = -inv_theta * by_alpha_dot_2 - l_alpha_theta * d_alpha_ddot_by_alpha_dot;
+    const double by_alpha_dot_1 = 2.0 * I_pendulum_xx * omega_pendulum_z * s_alpha;
+    const double d_theta_ddot_by_alpha_dot = inv_theta * (-2.0 * p->r * mc_pendulum_z * s_alpha * v->alpha - by_alpha_dot_1);
     /* slopes of the balance of forces, at the accelerations found */
     const double r_theta_ddot = p->r * theta_ddot;
     const double slopes_1 = a_pendulum_z - r_theta_ddot * s_alpha;
     const double slopes_2 = p->m_p * (a_pendulum_y + r_theta_ddot * c_alpha);
     const double m_p_slopes_1 = p->m_p * slopes_1;
-    const double slopes_3 = pendulum_3 + I_pendulum_xx * (alpha_pendulum_y + theta_ddot * s_alpha);
+    const double slopes_3 = pendulum_2 + I_pendulum_xx * (alpha_pendulum_y + theta_ddot * s_alpha);
     const double slopes_4 = s_alpha * (slopes_2 + mc_pendulum_z * (pendulum_1 - alpha_ddot));
-    const double slopes_5 = I_pendulum_xx * (theta_ddot * c_alpha - omega_pendulum_y * v->alpha);
-    const double slopes_6 = c_alpha * (m_p_slopes_1 + by_alpha_3) - slopes_4;
+    const double slopes_5 = I_pendulum_xx * (theta_ddot * c_alpha + alpha_pendulum_z);
+    const double slopes_6 = c_alpha * (m_p_slopes_1 + mc_pendulum_z * by_alpha_1) - slopes_4;
     const double slopes_7 = s_alpha * (-mc_pendulum_z * omega_pendulum_z * two_omega_pendulum_y - slopes_2);
     const double slopes_8 = slopes_6 - c_alpha * (f_pendulum_z + m_p_slopes_1) - slopes_7;
-    const double slopes_9 = s_alpha * (slopes_5 - pendulum_4);
+    const double slopes_9 = s_alpha * (slopes_5 + I_pendulum_xx * alpha_pendulum_z);
     const double slopes_10 = c_alpha * (slopes_3 - r_mc_pendulum_z_theta_dot_sq) + slopes_9;
-    const double slopes_11 = by_alpha_2 - n_pendulum_z * s_alpha + slopes_10 + p->r * slopes_8;
     /* derivatives with respect to alpha */
-    const double by_alpha_5 = l_alpha_theta * slopes_11 - by_alpha_4 + mc_pendulum_z * slopes_1;
-    const double d_alpha_ddot_by_alpha = inv_alpha * by_alpha_5;
-    const double d_theta_ddot_by_alpha = -inv_theta * slopes_11 - l_alpha_theta * d_alpha_ddot_by_alpha;
-    /* derivatives with respect to tau */
-    const double d_alpha_ddot_by_tau = -l_alpha_theta * inv_alpha;
-    if (!(M_theta_theta > 0.0)) {
-        return 1;
-    }
-    if (!(pivot_alpha > 0.0)) {
+    const double by_alpha_2 = I_pendulum_xx * by_alpha_1 + mc_pendulum_z * slopes_1;
+    const double d_theta_ddot_by_alpha = -inv_theta * (slopes_10 + p->r * slopes_8 + l_alpha_theta * by_alpha_2);
+    const double d_alpha_ddot_by_alpha = inv_alpha * by_alpha_2 - l_alpha_theta * d_theta_ddot_by_alpha;
+    if (!(I_pendulum_xx > 0.0)) {
         return 2;
+    }
+    if (!(pivot_theta > 0.0)) {
+        return 1;
     }
     dx[0] = v->theta; /* theta' */
     dx[1] = v->alpha; /* alpha' */
@@ -383,14 +357,14 @@ int furuta_linearize(const struct furuta_state *x, const struct furuta_inputs *u
     a[2][3] = d_theta_ddot_by_alpha_dot;
     a[3][1] = d_alpha_ddot_by_alpha; /* alpha'' */
     a[3][2] = d_alpha_ddot_by_theta_dot;
-    a[3][3] = d_alpha_ddot_by_alpha_dot;
+    a[3][3] = -l_alpha_theta * d_theta_ddot_by_alpha_dot;
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 1; j++) {
             b[i][j] = 0.0;
         }
     }
-    b[2][0] = inv_theta - l_alpha_theta * d_alpha_ddot_by_tau; /* theta'' */
-    b[3][0] = d_alpha_ddot_by_tau; /* alpha'' */
+    b[2][0] = inv_theta; /* theta'' */
+    b[3][0] = -l_alpha_theta * inv_theta; /* alpha'' */
     return 0;
 }
 
@@ -417,36 +391,30 @@ int furuta_parameter_jacobian(const struct furuta_state *x, const struct furuta_
     const double pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     const double pendulum_2 = v->alpha * v->alpha + omega_pendulum_y * omega_pendulum_y;
     const double f_pendulum_z = -mc_pendulum_z * pendulum_2;
-    const double I_pendulum_xx_alpha_dot = I_pendulum_xx * v->alpha;
-    const double pendulum_3 = I_pendulum_xx * omega_pendulum_y;
-    const double n_pendulum_z = pendulum_3 * v->alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    const double pendulum_4 = I_pendulum_xx * alpha_pendulum_y + omega_pendulum_z * I_pendulum_xx_alpha_dot;
     const double a_pendulum_y = p->g * s_alpha;
     const double a_pendulum_z = p->g * c_alpha;
     const double f_pendulum_y = p->m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
-    const double pendulum_5 = s_alpha * (f_pendulum_z + p->m_p * a_pendulum_z);
+    const double pendulum_3 = s_alpha * (f_pendulum_z + p->m_p * a_pendulum_z);
+    const double mc_pendulum_z_s_alpha = mc_pendulum_z * s_alpha;
+    const double M_theta_alpha = -p->r * mc_pendulum_z * c_alpha;
     /* frame arm on ground */
     const double theta_dot_sq = v->theta * v->theta;
     /* frame pendulum on arm */
     const double a_pendulum_1_x = -p->r * theta_dot_sq;
-    const double pendulum_1_1 = p->r * (f_pendulum_y * c_alpha - pendulum_5);
-    const double pendulum_1_2 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
-    const double pendulum_6 = s_alpha * (mc_pendulum_z * a_pendulum_1_x + pendulum_4);
-    const double n_arm_z = pendulum_6 + n_pendulum_z * c_alpha + pendulum_1_1;
+    const double pendulum_1_1 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
+    const double n_pendulum_y = mc_pendulum_z * a_pendulum_1_x + 2.0 * I_pendulum_xx * alpha_pendulum_y;
+    const double n_arm_z = n_pendulum_y * s_alpha + p->r * (f_pendulum_y * c_alpha - pendulum_3);
     /* kinetic energy rotor */
-    const double M_theta_theta = I_arm_yy + pendulum_1_2 + p->J_m + p->J_h;
+    const double M_theta_theta = I_arm_yy + pendulum_1_1 + p->J_m + p->J_h;
     /* balance of forces */
-    const double tau_theta = u->tau - n_arm_z;
-    const double tau_alpha = omega_pendulum_z * pendulum_3 + mc_pendulum_z * a_pendulum_y;
-    /* M = L D L^T and back-substitution */
-    const double inv_theta = 1.0 / M_theta_theta;
-    const double l_alpha_theta = -p->r * mc_pendulum_z * inv_theta * c_alpha;
-    const double pivot_alpha = I_pendulum_xx - l_alpha_theta * M_theta_theta * l_alpha_theta;
-    const double inv_alpha = 1.0 / pivot_alpha;
-    const double tau_theta_inv_theta = tau_theta * inv_theta;
-    const double alpha_ddot = inv_alpha * (tau_alpha - tau_theta * l_alpha_theta);
-    const double l_alpha_theta_alpha_ddot = l_alpha_theta * alpha_ddot;
-    const double theta_ddot = tau_theta_inv_theta - l_alpha_theta_alpha_ddot;
+    const double tau_alpha = I_pendulum_xx * pendulum_1 + mc_pendulum_z * a_pendulum_y;
+    /* M = L^T D L and back-substitution */
+    const double inv_alpha = 1.0 / I_pendulum_xx;
+    const double l_alpha_theta = M_theta_alpha * inv_alpha;
+    const double pivot_theta = M_theta_theta - M_theta_alpha * l_alpha_theta;
+    const double inv_theta = 1.0 / pivot_theta;
+    const double theta_ddot = inv_theta * (u->tau - n_arm_z - tau_alpha * l_alpha_theta);
+    const double alpha_ddot = tau_alpha * inv_alpha - l_alpha_theta * theta_ddot;
     /* slopes of the balance of forces, at the accelerations found */
     const double theta_ddot_s_alpha = theta_ddot * s_alpha;
     const double r_theta_ddot = p->r * theta_ddot;
@@ -457,64 +425,52 @@ int furuta_parameter_jacobian(const struct furuta_state *x, const struct furuta_
     const double pendulum_1_minus_alpha_ddot = pendulum_1 - alpha_ddot;
     const double slopes_4 = c_alpha * (p->m_p * slopes_2 + mc_pendulum_z * pendulum_1_minus_alpha_ddot);
     const double slopes_5 = slopes_4 - s_alpha * (f_pendulum_z + p->m_p * slopes_3);
-    const double slopes_6 = theta_ddot * (r_sq / 12.0 + r_per_two * r_per_two);
+    const double slopes_6 = mc_pendulum_z * theta_ddot_c_alpha;
     const double slopes_7 = p->m_p * theta_ddot_c_alpha * c_alpha + p->m_p * theta_ddot_s_alpha * s_alpha;
     const double slopes_8 = slopes_5 - mc_pendulum_z * theta_dot_sq * s_alpha + p->r * slopes_7;
     const double slopes_9 = s_alpha * (slopes_3 + L_p_per_two * pendulum_2);
     const double slopes_10 = c_alpha * (slopes_2 - L_p_per_two * pendulum_1_minus_alpha_ddot) - slopes_9;
     /* derivatives with respect to r */
     const double by_r_1 = 2.0 * p->m_r * p->r / 12.0 + 0.5 * mc_arm_x + 0.5 * p->m_r * r_per_two;
+    const double by_r_2 = l_alpha_theta * slopes_6 + theta_ddot * by_r_1 + slopes_8;
+    const double d_theta_ddot_by_r = -inv_theta * by_r_2;
+    const double d_alpha_ddot_by_r = inv_alpha * slopes_6 - l_alpha_theta * d_theta_ddot_by_r;
     /* derivatives with respect to m_p */
     const double by_m_p_1 = L_p_sq / 12.0 + L_p_per_two * L_p_per_two;
-    const double by_m_p_1_alpha_dot = by_m_p_1 * v->alpha;
-    const double omega_pendulum_y_by_m_p_1 = omega_pendulum_y * by_m_p_1;
-    const double by_m_p_2 = c_alpha * (omega_pendulum_y_by_m_p_1 * v->alpha - omega_pendulum_y * by_m_p_1_alpha_dot);
     /* derivatives with respect to L_p */
     const double half_m_p = 0.5 * p->m_p;
     const double by_L_p_1 = 2.0 * p->m_p * p->L_p / 12.0 - 0.5 * mc_pendulum_z + L_p_per_two * half_m_p;
-    const double by_L_p_1_alpha_dot = by_L_p_1 * v->alpha;
-    const double omega_pendulum_y_by_L_p_1 = omega_pendulum_y * by_L_p_1;
-    const double by_L_p_2 = c_alpha * (omega_pendulum_y_by_L_p_1 * v->alpha - omega_pendulum_y * by_L_p_1_alpha_dot);
     /* derivatives with respect to g */
     const double by_g_1 = p->m_p * c_alpha * s_alpha - p->m_p * s_alpha * c_alpha;
-    const double r_by_g_1 = p->r * by_g_1;
-    const double d_alpha_ddot_by_g = inv_alpha * (l_alpha_theta * r_by_g_1 + mc_pendulum_z * s_alpha);
-    const double d_theta_ddot_by_g = -inv_theta * r_by_g_1 - l_alpha_theta * d_alpha_ddot_by_g;
+    const double d_theta_ddot_by_g = inv_theta * (-mc_pendulum_z_s_alpha * l_alpha_theta - p->r * by_g_1);
+    const double d_alpha_ddot_by_g = mc_pendulum_z_s_alpha * inv_alpha - l_alpha_theta * d_theta_ddot_by_g;
     /* slopes of the balance of forces, at the accelerations found */
-    const double slopes_11 = theta_ddot * by_r_1 + slopes_8;
-    const double slopes_12 = alpha_ddot * by_m_p_1 - omega_pendulum_z * omega_pendulum_y_by_m_p_1;
-    const double slopes_13 = omega_pendulum_z * by_m_p_1_alpha_dot + slopes_1 * by_m_p_1;
-    const double slopes_14 = by_m_p_2 + s_alpha * (slopes_13 - L_p_per_two * a_pendulum_1_x);
-    const double slopes_14_plus_r_slopes_10 = slopes_14 + p->r * slopes_10;
-    const double slopes_15 = alpha_ddot * by_L_p_1 - omega_pendulum_z * omega_pendulum_y_by_L_p_1;
-    const double slopes_16 = omega_pendulum_z * by_L_p_1_alpha_dot + slopes_1 * by_L_p_1;
-    const double slopes_17 = pendulum_1_minus_alpha_ddot * half_m_p * c_alpha;
-    const double slopes_18 = by_L_p_2 + s_alpha * (slopes_16 - a_pendulum_1_x * half_m_p);
-    const double slopes_19 = p->r * (pendulum_2 * half_m_p * s_alpha + slopes_17);
+    const double slopes_11 = alpha_ddot * by_m_p_1 - pendulum_1 * by_m_p_1;
+    const double slopes_12 = alpha_pendulum_y * by_m_p_1 + slopes_1 * by_m_p_1;
+    const double slopes_13 = L_p_per_two * slopes_2 + slopes_11;
+    const double slopes_14 = s_alpha * (slopes_12 - L_p_per_two * a_pendulum_1_x);
+    const double slopes_15 = alpha_ddot * by_L_p_1 - pendulum_1 * by_L_p_1;
+    const double slopes_16 = alpha_pendulum_y * by_L_p_1 + slopes_1 * by_L_p_1;
+    const double slopes_17 = slopes_2 * half_m_p + slopes_15;
+    const double slopes_18 = pendulum_1_minus_alpha_ddot * half_m_p * c_alpha;
+    const double slopes_19 = p->r * (pendulum_2 * half_m_p * s_alpha + slopes_18);
     /* derivatives with respect to m_r */
-    const double d_alpha_ddot_by_m_r = inv_alpha * l_alpha_theta * slopes_6;
-    const double d_theta_ddot_by_m_r = -inv_theta * slopes_6 - l_alpha_theta * d_alpha_ddot_by_m_r;
-    /* derivatives with respect to r */
-    const double d_alpha_ddot_by_r = inv_alpha * (l_alpha_theta * slopes_11 + mc_pendulum_z * theta_ddot_c_alpha);
-    const double d_theta_ddot_by_r = -inv_theta * slopes_11 - l_alpha_theta * d_alpha_ddot_by_r;
+    const double d_theta_ddot_by_m_r = -inv_theta * theta_ddot * (r_sq / 12.0 + r_per_two * r_per_two);
     /* derivatives with respect to m_p */
-    const double by_m_p_3 = l_alpha_theta * slopes_14_plus_r_slopes_10 - L_p_per_two * slopes_2 - slopes_12;
-    const double d_alpha_ddot_by_m_p = inv_alpha * by_m_p_3;
-    const double d_theta_ddot_by_m_p = -inv_theta * slopes_14_plus_r_slopes_10 - l_alpha_theta * d_alpha_ddot_by_m_p;
+    const double d_theta_ddot_by_m_p = inv_theta * (l_alpha_theta * slopes_13 - slopes_14 - p->r * slopes_10);
+    const double d_alpha_ddot_by_m_p = -inv_alpha * slopes_13 - l_alpha_theta * d_theta_ddot_by_m_p;
     /* derivatives with respect to L_p */
-    const double slopes_19_minus_slopes_18 = slopes_19 - slopes_18;
-    const double by_L_p_3 = slopes_2 * half_m_p + slopes_15 + l_alpha_theta * slopes_19_minus_slopes_18;
-    const double d_alpha_ddot_by_L_p = -inv_alpha * by_L_p_3;
-    const double d_theta_ddot_by_L_p = inv_theta * slopes_19_minus_slopes_18 - l_alpha_theta * d_alpha_ddot_by_L_p;
+    const double by_L_p_2 = slopes_19 - s_alpha * (slopes_16 - a_pendulum_1_x * half_m_p);
+    const double d_theta_ddot_by_L_p = inv_theta * (by_L_p_2 + l_alpha_theta * slopes_17);
+    const double d_alpha_ddot_by_L_p = -inv_alpha * slopes_17 - l_alpha_theta * d_theta_ddot_by_L_p;
     /* derivatives with respect to J_m */
-    const double by_J_m_1 = l_alpha_theta_alpha_ddot - tau_theta_inv_theta;
-    const double d_alpha_ddot_by_J_m = -inv_alpha * l_alpha_theta * by_J_m_1;
-    const double d_theta_ddot_by_J_m = inv_theta * by_J_m_1 - l_alpha_theta * d_alpha_ddot_by_J_m;
-    if (!(M_theta_theta > 0.0)) {
-        return 1;
-    }
-    if (!(pivot_alpha > 0.0)) {
+    const double d_theta_ddot_by_J_m = -inv_theta * theta_ddot;
+    const double d_alpha_ddot_by_J_m = -l_alpha_theta * d_theta_ddot_by_J_m;
+    if (!(I_pendulum_xx > 0.0)) {
         return 2;
+    }
+    if (!(pivot_theta > 0.0)) {
+        return 1;
     }
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 7; j++) {
@@ -528,7 +484,7 @@ int furuta_parameter_jacobian(const struct furuta_state *x, const struct furuta_
     by_p[2][4] = d_theta_ddot_by_J_m;
     by_p[2][5] = d_theta_ddot_by_J_m;
     by_p[2][6] = d_theta_ddot_by_g;
-    by_p[3][0] = d_alpha_ddot_by_m_r; /* alpha'' */
+    by_p[3][0] = -l_alpha_theta * d_theta_ddot_by_m_r; /* alpha'' */
     by_p[3][1] = d_alpha_ddot_by_r;
     by_p[3][2] = d_alpha_ddot_by_m_p;
     by_p[3][3] = d_alpha_ddot_by_L_p;

@@ -1,11 +1,11 @@
 /*
  * Furuta pendulum (QUBE-Servo 2).
- * Generated from `furuta.rig` (model 2cb38b95); edit the rig, not this file.
+ * Generated from `furuta.rig` (model 060d2e34); edit the rig, not this file.
  *
  * Uniform thin rods as in Quanser's QUBE-Servo 2 data sheet, motor rotor and hub on the arm's axis.
  * alpha = 0 hangs down; theta about the upright axis, alpha about the arm.
  *
- * 78 operations forward, 190 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 69 operations forward, 160 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -110,8 +110,8 @@ void furuta_inverse_dynamics(const struct furuta_state *x, const struct furuta_a
  */
 void furuta_outputs(const struct furuta_state *x, const struct furuta_parameters *p, struct furuta_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
- * 78 operations.
+/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 69 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
@@ -119,7 +119,7 @@ void furuta_outputs(const struct furuta_state *x, const struct furuta_parameters
 int furuta_forward_dynamics(const struct furuta_state *x, const struct furuta_inputs *u, const struct furuta_parameters *p, struct furuta_accelerations *a);
 
 /* State derivative and its Jacobians A, B, exact, at any state.
- * 190 operations.
+ * 160 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *          theta alpha theta.dot alpha.dot | tau

@@ -1,13 +1,13 @@
 /*
  * Googol GHP2002 3-DOF helicopter, full physics.
- * Generated from `googol.rig` (model ff143b05); edit the rig, not this file.
+ * Generated from `googol.rig` (model 55b1ef6d); edit the rig, not this file.
  *
  * Three bodies: arm and counterweight (point masses on the arm), and the fuselage with both rotors,
  * hanging l_cd below the pitch axis. Numbers: Table 1 of Li et al., Journal of Jilin University
  * (Engineering), 54(11), 2024, doi 10.13229/j.cnki.jdxbgxb.20220745; viscous friction as the authors
  * used it before identification, times the inertias.
  *
- * 193 operations forward, 714 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 175 operations forward, 637 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -124,8 +124,8 @@ void googol_inverse_dynamics(const struct googol_state *x, const struct googol_a
  */
 void googol_outputs(const struct googol_state *x, const struct googol_parameters *p, struct googol_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
- * 193 operations.
+/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 175 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
@@ -133,7 +133,7 @@ void googol_outputs(const struct googol_state *x, const struct googol_parameters
 int googol_forward_dynamics(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, struct googol_accelerations *a);
 
 /* State derivative and its Jacobians A, B, exact, at any state.
- * 714 operations.
+ * 637 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *          psi eps theta psi.dot eps.dot theta.dot | f_1 f_2

@@ -1,6 +1,6 @@
 /*
  * Googol GHP2002, eq. 13 as printed.
- * Generated from `googol_eq13.rig` (model df868c68); edit the rig, not this file.
+ * Generated from `googol_eq13.rig` (model 563aaada); edit the rig, not this file.
  *
  * The seed paper's equations, written directly, with the printed factor sin(theta) in the
  * yaw-by-f_d term. `rig diff googol_mrb.rig googol_eq13.rig` shows that one term.
@@ -172,16 +172,16 @@ int googol_eq13_forward_dynamics(const struct googol_eq13_state *x, const struct
     const double balance_1 = l_cd_m_h_g * s_theta * c_eps - p->l_df * f_d;
     const double tau_psi = l_oc_f_s_c_eps_s_theta - p->c0_psi * v->psi - p->l_df * f_d * s_theta * s_eps;
     const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - h_eps;
-    /* M = L D L^T and back-substitution */
+    /* M = L^T D L and back-substitution */
     const double theta_ddot = -(p->c0_theta * v->theta + balance_1) / p->I_theta;
-    if (!(p->I_psi > 0.0)) {
-        return 1;
+    if (!(p->I_theta > 0.0)) {
+        return 3;
     }
     if (!(p->I_eps > 0.0)) {
         return 2;
     }
-    if (!(p->I_theta > 0.0)) {
-        return 3;
+    if (!(p->I_psi > 0.0)) {
+        return 1;
     }
     a->psi = tau_psi / p->I_psi;
     a->eps = tau_eps / p->I_eps;
@@ -217,10 +217,10 @@ int googol_eq13_linearize(const struct googol_eq13_state *x, const struct googol
     const double tau_psi = f_s * l_oc_c_eps_s_theta - p->c0_psi * v->psi - f_d * l_df_s_theta_s_eps;
     const double tau_eps = f_s * l_oc_c_theta - p->c0_eps * v->eps - h_eps;
     const double tau_theta = p->l_df * f_d - p->c0_theta * v->theta - l_cd_m_h_g_c_eps * s_theta;
-    /* M = L D L^T and back-substitution */
-    const double inv_psi = 1.0 / p->I_psi;
-    const double inv_eps = 1.0 / p->I_eps;
+    /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / p->I_theta;
+    const double inv_eps = 1.0 / p->I_eps;
+    const double inv_psi = 1.0 / p->I_psi;
     /* derivatives with respect to eps */
     const double by_eps_1 = p->l_oc * f_s * s_theta * s_eps + f_d * l_df_s_theta * c_eps;
     const double d_eps_ddot_by_eps = inv_eps * (g_m_prime * s_eps - l_cd_m_h_g_c_theta * c_eps);
@@ -231,14 +231,14 @@ int googol_eq13_linearize(const struct googol_eq13_state *x, const struct googol
     /* derivatives with respect to f_1 */
     const double d_eps_ddot_by_f_1 = l_oc_c_theta * inv_eps;
     const double d_theta_ddot_by_f_1 = p->l_df * inv_theta;
-    if (!(p->I_psi > 0.0)) {
-        return 1;
+    if (!(p->I_theta > 0.0)) {
+        return 3;
     }
     if (!(p->I_eps > 0.0)) {
         return 2;
     }
-    if (!(p->I_theta > 0.0)) {
-        return 3;
+    if (!(p->I_psi > 0.0)) {
+        return 1;
     }
     dx[0] = v->psi; /* psi' */
     dx[1] = v->eps; /* eps' */
@@ -298,10 +298,10 @@ int googol_eq13_parameter_jacobian(const struct googol_eq13_state *x, const stru
     const double balance_1 = l_cd_m_h_g * s_theta * c_eps - p->l_df * f_d;
     const double tau_psi = l_oc_f_s_c_eps_s_theta - p->c0_psi * v->psi - p->l_df * f_d * s_theta * s_eps;
     const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - h_eps;
-    /* M = L D L^T and back-substitution */
-    const double inv_psi = 1.0 / p->I_psi;
-    const double inv_eps = 1.0 / p->I_eps;
+    /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / p->I_theta;
+    const double inv_eps = 1.0 / p->I_eps;
+    const double inv_psi = 1.0 / p->I_psi;
     const double theta_ddot = -inv_theta * (p->c0_theta * v->theta + balance_1);
     /* derivatives with respect to m_h */
     const double g_l_cd = p->g * p->l_cd;
@@ -327,14 +327,14 @@ int googol_eq13_parameter_jacobian(const struct googol_eq13_state *x, const stru
     const double d_eps_ddot_by_l_cd = -inv_eps * m_h_g * s_eps * c_theta;
     /* derivatives with respect to l_df */
     const double d_psi_ddot_by_l_df = -inv_psi * f_d * s_theta * s_eps;
-    if (!(p->I_psi > 0.0)) {
-        return 1;
+    if (!(p->I_theta > 0.0)) {
+        return 3;
     }
     if (!(p->I_eps > 0.0)) {
         return 2;
     }
-    if (!(p->I_theta > 0.0)) {
-        return 3;
+    if (!(p->I_psi > 0.0)) {
+        return 1;
     }
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 15; j++) {

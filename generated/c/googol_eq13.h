@@ -1,6 +1,6 @@
 /*
  * Googol GHP2002, eq. 13 as printed.
- * Generated from `googol_eq13.rig` (model df868c68); edit the rig, not this file.
+ * Generated from `googol_eq13.rig` (model 563aaada); edit the rig, not this file.
  *
  * The seed paper's equations, written directly, with the printed factor sin(theta) in the
  * yaw-by-f_d term. `rig diff googol_mrb.rig googol_eq13.rig` shows that one term.
@@ -111,7 +111,7 @@ void googol_eq13_inverse_dynamics(const struct googol_eq13_state *x, const struc
  */
 void googol_eq13_outputs(const struct googol_eq13_state *x, const struct googol_eq13_parameters *p, struct googol_eq13_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 47 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;

@@ -41,7 +41,10 @@ void googol_identified_nominal(struct googol_identified_parameters *p)
     p->c_theta = 0.341;
 }
 
-void googol_identified_mass_matrix(const struct googol_identified_coordinates *q, const struct googol_identified_parameters *p, double m[3][3])
+void googol_identified_mass_matrix(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_parameters *p,
+    double m[3][3])
 {
     (void)q;
     (void)p;
@@ -55,7 +58,11 @@ void googol_identified_mass_matrix(const struct googol_identified_coordinates *q
     m[2][2] = 1.0; /* theta */
 }
 
-void googol_identified_bias(const struct googol_identified_coordinates *q, const struct googol_identified_rates *v, const struct googol_identified_parameters *p, double h[3])
+void googol_identified_bias(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_rates *v,
+    const struct googol_identified_parameters *p,
+    double h[3])
 {
     (void)v;
     const double s_theta = sin(q->theta);
@@ -63,9 +70,9 @@ void googol_identified_bias(const struct googol_identified_coordinates *q, const
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
     /* equation of eps */
-    const double h_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
+    const double g_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
     h[0] = 0.0; /* psi */
-    h[1] = h_eps; /* eps */
+    h[1] = g_eps; /* eps */
     h[2] = p->a3 * s_theta * c_eps; /* theta */
 }
 
@@ -76,13 +83,17 @@ void googol_identified_gravity(const struct googol_identified_coordinates *q, co
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
     /* equation of eps */
-    const double h_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
+    const double g_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
     g[0] = 0.0; /* psi */
-    g[1] = h_eps; /* eps */
+    g[1] = g_eps; /* eps */
     g[2] = p->a3 * s_theta * c_eps; /* theta */
 }
 
-void googol_identified_dissipation(const struct googol_identified_coordinates *q, const struct googol_identified_rates *v, const struct googol_identified_parameters *p, double d[3])
+void googol_identified_dissipation(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_rates *v,
+    const struct googol_identified_parameters *p,
+    double d[3])
 {
     (void)q;
     d[0] = p->c_psi * v->psi; /* psi */
@@ -90,7 +101,11 @@ void googol_identified_dissipation(const struct googol_identified_coordinates *q
     d[2] = p->c_theta * v->theta; /* theta */
 }
 
-void googol_identified_generalized_force(const struct googol_identified_coordinates *q, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, double f[3])
+void googol_identified_generalized_force(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    double f[3])
 {
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
@@ -98,21 +113,23 @@ void googol_identified_generalized_force(const struct googol_identified_coordina
     const double c_eps = cos(q->eps);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double b4_f_d_s_theta_s_eps = p->b4 * f_d * s_theta * s_eps;
     /* equation of psi */
-    const double b3_f_s_s_theta_c_eps = p->b3 * f_s * s_theta * c_eps;
-    const double Q_psi = b3_f_s_s_theta_c_eps - p->b4 * f_d * s_theta * s_eps;
+    const double Q_psi = p->b3 * f_s * s_theta * c_eps - b4_f_d_s_theta_s_eps;
     f[0] = Q_psi; /* psi */
     f[1] = p->b1 * f_s * c_theta; /* eps */
     f[2] = p->b2 * f_d; /* theta */
 }
 
-void googol_identified_input_map(const struct googol_identified_coordinates *q, const struct googol_identified_parameters *p, double s[3][2])
+void googol_identified_input_map(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_parameters *p,
+    double s[3][2])
 {
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
-    /* equation of psi */
     const double b3_s_theta_c_eps = p->b3 * s_theta * c_eps;
     const double b4_s_theta_s_eps = p->b4 * s_theta * s_eps;
     /* equation of eps */
@@ -125,7 +142,12 @@ void googol_identified_input_map(const struct googol_identified_coordinates *q, 
     s[2][1] = -p->b2;
 }
 
-void googol_identified_inverse_dynamics(const struct googol_identified_state *x, const struct googol_identified_accelerations *a, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, double r[3])
+void googol_identified_inverse_dynamics(
+    const struct googol_identified_state *x,
+    const struct googol_identified_accelerations *a,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    double r[3])
 {
     const struct googol_identified_coordinates *q = &x->q;
     const struct googol_identified_rates *v = &x->v;
@@ -135,19 +157,20 @@ void googol_identified_inverse_dynamics(const struct googol_identified_state *x,
     const double c_eps = cos(q->eps);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
+    const double b4_f_d_s_theta_s_eps = p->b4 * f_d * s_theta * s_eps;
     /* equation of psi */
-    const double b3_f_s_s_theta_c_eps = p->b3 * f_s * s_theta * c_eps;
-    const double Q_psi = b3_f_s_s_theta_c_eps - p->b4 * f_d * s_theta * s_eps;
+    const double Q_psi = p->b3 * f_s * s_theta * c_eps - b4_f_d_s_theta_s_eps;
     /* equation of eps */
-    const double h_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
-    /* balance of forces */
-    const double balance_1 = a->theta + p->a3 * s_theta * c_eps - p->b2 * f_d;
+    const double g_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
     r[0] = p->c_psi * v->psi + a->psi - Q_psi; /* psi */
-    r[1] = p->c_eps * v->eps + a->eps + h_eps - p->b1 * f_s * c_theta; /* eps */
-    r[2] = p->c_theta * v->theta + balance_1; /* theta */
+    r[1] = p->c_eps * v->eps + a->eps + g_eps - p->b1 * f_s * c_theta; /* eps */
+    r[2] = p->c_theta * v->theta + a->theta + p->a3 * s_theta * c_eps - p->b2 * f_d; /* theta */
 }
 
-void googol_identified_outputs(const struct googol_identified_state *x, const struct googol_identified_parameters *p, struct googol_identified_outputs *y)
+void googol_identified_outputs(
+    const struct googol_identified_state *x,
+    const struct googol_identified_parameters *p,
+    struct googol_identified_outputs *y)
 {
     const struct googol_identified_coordinates *q = &x->q;
     (void)p;
@@ -156,7 +179,11 @@ void googol_identified_outputs(const struct googol_identified_state *x, const st
     y->theta = q->theta;
 }
 
-int googol_identified_forward_dynamics(const struct googol_identified_state *x, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, struct googol_identified_accelerations *a)
+int googol_identified_forward_dynamics(
+    const struct googol_identified_state *x,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    struct googol_identified_accelerations *a)
 {
     const struct googol_identified_coordinates *q = &x->q;
     const struct googol_identified_rates *v = &x->v;
@@ -166,13 +193,12 @@ int googol_identified_forward_dynamics(const struct googol_identified_state *x, 
     const double c_eps = cos(q->eps);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
-    /* equation of psi */
-    const double b3_f_s_s_theta_c_eps = p->b3 * f_s * s_theta * c_eps;
+    const double b4_f_d_s_theta_s_eps = p->b4 * f_d * s_theta * s_eps;
     /* equation of eps */
-    const double h_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
+    const double g_eps = p->a1 * s_eps * c_theta + p->a2 * c_eps;
     /* balance of forces */
-    const double tau_psi = b3_f_s_s_theta_c_eps - p->c_psi * v->psi - p->b4 * f_d * s_theta * s_eps;
-    const double tau_eps = p->b1 * f_s * c_theta - p->c_eps * v->eps - h_eps;
+    const double tau_psi = p->b3 * f_s * s_theta * c_eps - p->c_psi * v->psi - b4_f_d_s_theta_s_eps;
+    const double tau_eps = p->b1 * f_s * c_theta - p->c_eps * v->eps - g_eps;
     const double tau_theta = p->b2 * f_d - p->c_theta * v->theta - p->a3 * s_theta * c_eps;
     a->psi = tau_psi;
     a->eps = tau_eps;
@@ -180,7 +206,13 @@ int googol_identified_forward_dynamics(const struct googol_identified_state *x, 
     return 0;
 }
 
-int googol_identified_linearize(const struct googol_identified_state *x, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, double dx[6], double a[6][6], double b[6][2])
+int googol_identified_linearize(
+    const struct googol_identified_state *x,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2])
 {
     const struct googol_identified_coordinates *q = &x->q;
     const struct googol_identified_rates *v = &x->v;
@@ -190,27 +222,25 @@ int googol_identified_linearize(const struct googol_identified_state *x, const s
     const double c_eps = cos(q->eps);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
-    /* equation of psi */
     const double b3_s_theta = p->b3 * s_theta;
     const double b3_s_theta_c_eps = b3_s_theta * c_eps;
     const double b4_s_theta = p->b4 * s_theta;
     const double b4_s_theta_s_eps = b4_s_theta * s_eps;
-    /* equation of eps */
     const double a1_c_theta = p->a1 * c_theta;
-    const double h_eps = a1_c_theta * s_eps + p->a2 * c_eps;
+    /* equation of eps */
+    const double g_eps = a1_c_theta * s_eps + p->a2 * c_eps;
     const double d_eps_ddot_by_f_1 = p->b1 * c_theta;
-    /* equation of theta */
     const double a3_c_eps = p->a3 * c_eps;
     /* balance of forces */
     const double tau_psi = f_s * b3_s_theta_c_eps - p->c_psi * v->psi - f_d * b4_s_theta_s_eps;
-    const double tau_eps = f_s * d_eps_ddot_by_f_1 - p->c_eps * v->eps - h_eps;
+    const double tau_eps = f_s * d_eps_ddot_by_f_1 - p->c_eps * v->eps - g_eps;
     const double tau_theta = p->b2 * f_d - p->c_theta * v->theta - a3_c_eps * s_theta;
     /* derivatives with respect to eps */
     const double d_psi_ddot_by_eps = -f_s * b3_s_theta * s_eps - f_d * b4_s_theta * c_eps;
     const double d_eps_ddot_by_eps = p->a2 * s_eps - a1_c_theta * c_eps;
+    const double b4_f_d_s_eps_c_theta = p->b4 * f_d * s_eps * c_theta;
     /* derivatives with respect to theta */
-    const double b3_f_s_c_eps_c_theta = p->b3 * f_s * c_eps * c_theta;
-    const double d_psi_ddot_by_theta = b3_f_s_c_eps_c_theta - p->b4 * f_d * s_eps * c_theta;
+    const double d_psi_ddot_by_theta = p->b3 * f_s * c_eps * c_theta - b4_f_d_s_eps_c_theta;
     const double d_eps_ddot_by_theta = p->a1 * s_eps * s_theta - p->b1 * f_s * s_theta;
     dx[0] = v->psi; /* psi' */
     dx[1] = v->eps; /* eps' */
@@ -249,7 +279,11 @@ int googol_identified_linearize(const struct googol_identified_state *x, const s
     return 0;
 }
 
-int googol_identified_parameter_jacobian(const struct googol_identified_state *x, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, double by_p[6][22])
+int googol_identified_parameter_jacobian(
+    const struct googol_identified_state *x,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    double by_p[6][22])
 {
     const struct googol_identified_coordinates *q = &x->q;
     const struct googol_identified_rates *v = &x->v;
@@ -280,7 +314,11 @@ int googol_identified_parameter_jacobian(const struct googol_identified_state *x
     return 0;
 }
 
-void googol_identified_output_jacobian(const struct googol_identified_state *x, const struct googol_identified_parameters *p, double by_x[3][6], double by_p[3][22])
+void googol_identified_output_jacobian(
+    const struct googol_identified_state *x,
+    const struct googol_identified_parameters *p,
+    double by_x[3][6],
+    double by_p[3][22])
 {
     (void)x;
     (void)p;

@@ -120,7 +120,7 @@ void googol_identified_inverse_dynamics(const struct googol_identified_state *x,
  */
 void googol_identified_outputs(const struct googol_identified_state *x, const struct googol_identified_parameters *p, struct googol_identified_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 33 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;

@@ -1,6 +1,6 @@
 /*
  * Googol GHP2002, multi-rigid-body model.
- * Generated from `googol_mrb.rig` (model 1baaee7b); edit the rig, not this file.
+ * Generated from `googol_mrb.rig` (model 236cb442); edit the rig, not this file.
  *
  * Eq. 13 of the seed paper, derived: the full physics under the paper's assumptions (no velocity
  * products, a constant diagonal mass matrix). The yaw-by-f_d term comes out without the misprinted
@@ -208,16 +208,16 @@ int googol_mrb_forward_dynamics(const struct googol_mrb_state *x, const struct g
     /* balance of forces */
     const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - gravity_1 - gravity_2;
     const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - h_theta - l_df_f_2;
-    /* M = L D L^T and back-substitution */
+    /* M = L^T D L and back-substitution */
     const double psi_ddot = (n_column_z - p->c0_psi * v->psi) / p->I_psi;
-    if (!(p->I_psi > 0.0)) {
-        return 1;
+    if (!(p->I_theta > 0.0)) {
+        return 3;
     }
     if (!(p->I_eps > 0.0)) {
         return 2;
     }
-    if (!(p->I_theta > 0.0)) {
-        return 3;
+    if (!(p->I_psi > 0.0)) {
+        return 1;
     }
     a->psi = psi_ddot;
     a->eps = tau_eps / p->I_eps;
@@ -256,10 +256,10 @@ int googol_mrb_linearize(const struct googol_mrb_state *x, const struct googol_m
     /* balance of forces */
     const double tau_eps = -p->c0_eps * v->eps - gravity_1 - gravity_2 - n_arm_y;
     const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - h_theta - l_df_f_2;
-    /* M = L D L^T and back-substitution */
-    const double inv_psi = 1.0 / p->I_psi;
-    const double inv_eps = 1.0 / p->I_eps;
+    /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / p->I_theta;
+    const double inv_eps = 1.0 / p->I_eps;
+    const double inv_psi = 1.0 / p->I_psi;
     const double psi_ddot = inv_psi * (n_column_z - p->c0_psi * v->psi);
     /* input map */
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
@@ -273,14 +273,14 @@ int googol_mrb_linearize(const struct googol_mrb_state *x, const struct googol_m
     /* derivatives with respect to f_1 */
     const double d_eps_ddot_by_f_1 = p->l_oc * inv_eps * c_theta;
     const double d_theta_ddot_by_f_1 = p->l_df * inv_theta;
-    if (!(p->I_psi > 0.0)) {
-        return 1;
+    if (!(p->I_theta > 0.0)) {
+        return 3;
     }
     if (!(p->I_eps > 0.0)) {
         return 2;
     }
-    if (!(p->I_theta > 0.0)) {
-        return 3;
+    if (!(p->I_psi > 0.0)) {
+        return 1;
     }
     dx[0] = v->psi; /* psi' */
     dx[1] = v->eps; /* eps' */
@@ -356,10 +356,10 @@ int googol_mrb_parameter_jacobian(const struct googol_mrb_state *x, const struct
     /* balance of forces */
     const double tau_eps = p->l_oc * f_heli_1_z - p->c0_eps * v->eps - h_eps;
     const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - p->m_h * g_l_cd_c_eps_s_theta - l_df_f_2;
-    /* M = L D L^T and back-substitution */
-    const double inv_psi = 1.0 / p->I_psi;
-    const double inv_eps = 1.0 / p->I_eps;
+    /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / p->I_theta;
+    const double inv_eps = 1.0 / p->I_eps;
+    const double inv_psi = 1.0 / p->I_psi;
     const double psi_ddot = inv_psi * (n_column_z - p->c0_psi * v->psi);
     /* derivatives with respect to g */
     const double d_eps_ddot_by_g = -inv_eps * (p->m_b * l_oa_c_eps - p->m_c * l_ob_c_eps + p->m_h * fuselage_1);
@@ -370,14 +370,14 @@ int googol_mrb_parameter_jacobian(const struct googol_mrb_state *x, const struct
     const double d_theta_ddot_by_l_cd = -p->m_h * p->g * inv_theta * c_eps * s_theta;
     /* derivatives with respect to l_df */
     const double d_psi_ddot_by_l_df = inv_psi * s_eps * (u->f_2 - u->f_1);
-    if (!(p->I_psi > 0.0)) {
-        return 1;
+    if (!(p->I_theta > 0.0)) {
+        return 3;
     }
     if (!(p->I_eps > 0.0)) {
         return 2;
     }
-    if (!(p->I_theta > 0.0)) {
-        return 3;
+    if (!(p->I_psi > 0.0)) {
+        return 1;
     }
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 17; j++) {

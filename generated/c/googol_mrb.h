@@ -1,6 +1,6 @@
 /*
  * Googol GHP2002, multi-rigid-body model.
- * Generated from `googol_mrb.rig` (model 1baaee7b); edit the rig, not this file.
+ * Generated from `googol_mrb.rig` (model 236cb442); edit the rig, not this file.
  *
  * Eq. 13 of the seed paper, derived: the full physics under the paper's assumptions (no velocity
  * products, a constant diagonal mass matrix). The yaw-by-f_d term comes out without the misprinted
@@ -123,7 +123,7 @@ void googol_mrb_inverse_dynamics(const struct googol_mrb_state *x, const struct 
  */
 void googol_mrb_outputs(const struct googol_mrb_state *x, const struct googol_mrb_parameters *p, struct googol_mrb_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 50 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;

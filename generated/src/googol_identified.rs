@@ -302,8 +302,8 @@ pub fn bias(q: &Coordinates, _v: &Rates, p: &Parameters) -> [f64; 3] {
     let (s_theta, c_theta) = sin_cos(q.theta);
     let (s_eps, c_eps) = sin_cos(q.eps);
     // equation of eps
-    let h_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
-    [0.0, h_eps, p.a3 * s_theta * c_eps]
+    let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
+    [0.0, g_eps, p.a3 * s_theta * c_eps]
 }
 
 /// Bias of the equations as written [unit of the row]; rows (psi, eps, theta).
@@ -312,8 +312,8 @@ pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 3] {
     let (s_theta, c_theta) = sin_cos(q.theta);
     let (s_eps, c_eps) = sin_cos(q.eps);
     // equation of eps
-    let h_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
-    [0.0, h_eps, p.a3 * s_theta * c_eps]
+    let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
+    [0.0, g_eps, p.a3 * s_theta * c_eps]
 }
 
 /// Friction and dampers d(q, v) [unit of the row], on the left-hand side; rows (psi, eps, theta).
@@ -329,9 +329,9 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
     let (s_eps, c_eps) = sin_cos(q.eps);
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
+    let b4_f_d_s_theta_s_eps = p.b4 * f_d * s_theta * s_eps;
     // equation of psi
-    let b3_f_s_s_theta_c_eps = p.b3 * f_s * s_theta * c_eps;
-    let Q_psi = b3_f_s_s_theta_c_eps - p.b4 * f_d * s_theta * s_eps;
+    let Q_psi = p.b3 * f_s * s_theta * c_eps - b4_f_d_s_theta_s_eps;
     [Q_psi, p.b1 * f_s * c_theta, p.b2 * f_d]
 }
 
@@ -340,7 +340,6 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 3
 pub fn input_map(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 3] {
     let (s_theta, c_theta) = sin_cos(q.theta);
     let (s_eps, c_eps) = sin_cos(q.eps);
-    // equation of psi
     let b3_s_theta_c_eps = p.b3 * s_theta * c_eps;
     let b4_s_theta_s_eps = p.b4 * s_theta * s_eps;
     // equation of eps
@@ -361,14 +360,14 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let (s_eps, c_eps) = sin_cos(q.eps);
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
+    let b4_f_d_s_theta_s_eps = p.b4 * f_d * s_theta * s_eps;
     // equation of psi
-    let b3_f_s_s_theta_c_eps = p.b3 * f_s * s_theta * c_eps;
-    let Q_psi = b3_f_s_s_theta_c_eps - p.b4 * f_d * s_theta * s_eps;
+    let Q_psi = p.b3 * f_s * s_theta * c_eps - b4_f_d_s_theta_s_eps;
     // equation of eps
-    let h_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
+    let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
     [
         p.c_psi * v.psi + a.psi - Q_psi, // psi
-        p.c_eps * v.eps + a.eps + h_eps - p.b1 * f_s * c_theta, // eps
+        p.c_eps * v.eps + a.eps + g_eps - p.b1 * f_s * c_theta, // eps
         p.c_theta * v.theta + a.theta + p.a3 * s_theta * c_eps - p.b2 * f_d, // theta
     ]
 }
@@ -380,7 +379,7 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 33 operations.
 ///
 /// # Errors
@@ -391,13 +390,12 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let (s_eps, c_eps) = sin_cos(q.eps);
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
-    // equation of psi
-    let b3_f_s_s_theta_c_eps = p.b3 * f_s * s_theta * c_eps;
+    let b4_f_d_s_theta_s_eps = p.b4 * f_d * s_theta * s_eps;
     // equation of eps
-    let h_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
+    let g_eps = p.a1 * s_eps * c_theta + p.a2 * c_eps;
     // balance of forces
-    let tau_psi = b3_f_s_s_theta_c_eps - p.c_psi * v.psi - p.b4 * f_d * s_theta * s_eps;
-    let tau_eps = p.b1 * f_s * c_theta - p.c_eps * v.eps - h_eps;
+    let tau_psi = p.b3 * f_s * s_theta * c_eps - p.c_psi * v.psi - b4_f_d_s_theta_s_eps;
+    let tau_eps = p.b1 * f_s * c_theta - p.c_eps * v.eps - g_eps;
     let tau_theta = p.b2 * f_d - p.c_theta * v.theta - p.a3 * s_theta * c_eps;
     Ok(Accelerations::from_array([tau_psi, tau_eps, tau_theta]))
 }
@@ -435,27 +433,25 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let (s_eps, c_eps) = sin_cos(q.eps);
     let f_s = u.f_1 + u.f_2;
     let f_d = u.f_1 - u.f_2;
-    // equation of psi
     let b3_s_theta = p.b3 * s_theta;
     let b3_s_theta_c_eps = b3_s_theta * c_eps;
     let b4_s_theta = p.b4 * s_theta;
     let b4_s_theta_s_eps = b4_s_theta * s_eps;
-    // equation of eps
     let a1_c_theta = p.a1 * c_theta;
-    let h_eps = a1_c_theta * s_eps + p.a2 * c_eps;
+    // equation of eps
+    let g_eps = a1_c_theta * s_eps + p.a2 * c_eps;
     let d_eps_ddot_by_f_1 = p.b1 * c_theta;
-    // equation of theta
     let a3_c_eps = p.a3 * c_eps;
     // balance of forces
     let tau_psi = f_s * b3_s_theta_c_eps - p.c_psi * v.psi - f_d * b4_s_theta_s_eps;
-    let tau_eps = f_s * d_eps_ddot_by_f_1 - p.c_eps * v.eps - h_eps;
+    let tau_eps = f_s * d_eps_ddot_by_f_1 - p.c_eps * v.eps - g_eps;
     let tau_theta = p.b2 * f_d - p.c_theta * v.theta - a3_c_eps * s_theta;
     // derivatives with respect to eps
     let d_psi_ddot_by_eps = -f_s * b3_s_theta * s_eps - f_d * b4_s_theta * c_eps;
     let d_eps_ddot_by_eps = p.a2 * s_eps - a1_c_theta * c_eps;
+    let b4_f_d_s_eps_c_theta = p.b4 * f_d * s_eps * c_theta;
     // derivatives with respect to theta
-    let b3_f_s_c_eps_c_theta = p.b3 * f_s * c_eps * c_theta;
-    let d_psi_ddot_by_theta = b3_f_s_c_eps_c_theta - p.b4 * f_d * s_eps * c_theta;
+    let d_psi_ddot_by_theta = p.b3 * f_s * c_eps * c_theta - b4_f_d_s_eps_c_theta;
     let d_eps_ddot_by_theta = p.a1 * s_eps * s_theta - p.b1 * f_s * s_theta;
     Ok(Linearization {
         dx: [v.psi, v.eps, v.theta, tau_psi, tau_eps, tau_theta],

@@ -6,8 +6,26 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+/// Acrobot.
+pub mod acrobot;
+
+/// Quanser Aero, two degrees of freedom.
+pub mod aero;
+
 /// Cart and pole.
 pub mod cart_pole;
+
+/// Spatial chain of three joints.
+pub mod chain3;
+
+/// Double pendulum with quasi-direct drives and a belt to the elbow.
+pub mod double_pendulum;
+
+/// EMPS, electro-mechanical positioning system.
+pub mod emps;
+
+/// Flexible joint: a link in gravity, driven through a spring.
+pub mod flexible_joint;
 
 /// Furuta pendulum (QUBE-Servo 2).
 pub mod furuta;
@@ -26,3 +44,15 @@ pub mod googol_mrb;
 
 /// Googol GHP2002, single-rigid-body model.
 pub mod googol_srb;
+
+/// Quanser 3-DOF helicopter, the arm hanging below its elevation axis.
+pub mod quanser;
+
+/// Quanser 3-DOF helicopter with the active disturbance system, its carriage moved from outside.
+pub mod quanser_ads;
+
+/// Quanser 3-DOF helicopter with the active disturbance system, its carriage driven by its motor.
+pub mod quanser_ads_driven;
+
+/// Two arms on one column.
+pub mod tree;

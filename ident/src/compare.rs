@@ -1,14 +1,17 @@
-//! A model's free run laid over a measured record.
+//! A model's free run laid over a measured record; where that says nothing, a prediction over a short horizon.
 
-mod initial;
-mod series;
+mod growth;
+pub(crate) mod initial;
+mod prediction;
+pub(crate) mod series;
 
 pub use initial::{INITIAL_WINDOW, initial_state};
+pub use prediction::{Prediction, PredictionFit};
 pub use series::{fit_percent, rmse};
 
 use crate::record::{Bound, MatchError, Record, Start, bind};
 use runtime::Model;
-use sim::{Hold, SimError, Status, Trajectory, simulate};
+use sim::{Hold, Signals, SimError, Status, Trajectory, simulate};
 use std::fmt;
 
 /// Choices of a comparison.
@@ -22,6 +25,8 @@ pub struct CompareOptions {
     pub hold: Hold,
     /// Tolerances and limits of the run.
     pub simulation: sim::Options,
+    /// Predict this many seconds ahead too, whether or not the free run is sensitive [s].
+    pub horizon: Option<f64>,
 }
 
 /// Measured and simulated values of one output, and how well they agree.
@@ -52,6 +57,48 @@ pub struct Comparison {
     pub initial: Vec<f64>,
     /// The run.
     pub trajectory: Trajectory,
+    /// Prediction over a horizon; there where the free run amplifies errors of its initial state by more than
+    /// [`SENSITIVE`], or where it was asked for.
+    pub prediction: Option<Prediction>,
+}
+
+/// Growth of d x(t)/d x(t_0) beyond which a free run says nothing of the model.
+pub const SENSITIVE: f64 = 1e4;
+
+/// One line of a table: the figures that count for an output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// Name of the output, or of its rate.
+    pub name: String,
+    /// Fit in percent.
+    pub fit_percent: Option<f64>,
+    /// Root-mean-square error (SI).
+    pub rmse: Option<f64>,
+    /// Fit of holding the rates constant, beside a prediction.
+    pub hold: Option<f64>,
+}
+
+impl Comparison {
+    /// The figures that count: those of the prediction where there is one, otherwise those of the free run.
+    #[must_use]
+    pub fn figures(&self) -> Vec<Figure> {
+        match &self.prediction {
+            Some(prediction) => prediction
+                .signals
+                .iter()
+                .map(|s| Figure { name: s.name.clone(), fit_percent: s.fit_percent, rmse: s.rmse, hold: s.hold })
+                .collect(),
+            None => {
+                self.signals.iter().map(|s| Figure { name: s.name.clone(), fit_percent: s.fit_percent, rmse: s.rmse, hold: None }).collect()
+            }
+        }
+    }
+
+    /// Seconds ahead of the figures; `None` for a free run.
+    #[must_use]
+    pub fn horizon(&self) -> Option<f64> {
+        self.prediction.as_ref().map(|p| p.horizon)
+    }
 }
 
 /// Why there is no comparison.
@@ -91,6 +138,11 @@ impl From<SimError> for CompareError {
 /// # Errors
 /// [`CompareError`], one variant a cause. A run that ends early is none: see [`Comparison::status`].
 pub fn compare(model: &dyn Model, p: &[f64], record: &Record, options: &CompareOptions) -> Result<Comparison, CompareError> {
+    if let Some(h) = options.horizon
+        && !(h > 0.0 && h.is_finite())
+    {
+        return Err(CompareError::Simulation(SimError::Option { what: "the horizon", value: h }));
+    }
     let Bound { signals, mut outputs, .. } = bind(record, model, options.hold)?;
     let names = model.names();
     for (i, values) in outputs.iter_mut().enumerate() {
@@ -106,6 +158,8 @@ pub fn compare(model: &dyn Model, p: &[f64], record: &Record, options: &CompareO
         }
     }
     let trajectory = simulate(model, p, &initial, &signals, &record.t, &options.simulation)?;
+    let horizon = options.horizon.or_else(|| sensible_horizon(model, p, record, &outputs, &signals, &trajectory));
+    let prediction = horizon.map(|h| prediction::predict(model, p, &record.t, &outputs, &signals, h, &options.simulation)).transpose()?;
     let signals = outputs
         .into_iter()
         .enumerate()
@@ -113,19 +167,49 @@ pub fn compare(model: &dyn Model, p: &[f64], record: &Record, options: &CompareO
             let measured = measured?;
             let simulated = trajectory.output(i);
             let reached = &measured[..simulated.len()];
-            Some(SignalFit {
-                name: names.output(i).to_owned(),
-                fit_percent: fit_percent(reached, &simulated),
-                rmse: rmse(reached, &simulated),
-                measured,
-                simulated,
-            })
+            let (fit_percent, rmse) = (fit_percent(reached, &simulated), rmse(reached, &simulated));
+            Some(SignalFit { name: names.output(i).to_owned(), fit_percent, rmse, measured, simulated })
         })
         .collect();
-    Ok(Comparison { signals, status: trajectory.status.clone(), valid_until: trajectory.valid_until, initial, trajectory })
+    Ok(Comparison { signals, status: trajectory.status.clone(), valid_until: trajectory.valid_until, initial, trajectory, prediction })
+}
+
+/// Where the model amplifies by [`SENSITIVE`], along its free run or along the measured states (an unstable rig's free run
+/// falls to where it is stable): a quarter of the time that this takes, over which it amplifies about tenfold. A run into
+/// a singular mass matrix is compared up to there: there a model is wrong, not sensitive.
+fn sensible_horizon(
+    model: &dyn Model,
+    p: &[f64],
+    record: &Record,
+    outputs: &[Option<Vec<f64>>],
+    signals: &Signals,
+    run: &Trajectory,
+) -> Option<f64> {
+    /// Most samples that are looked at.
+    const LOOKS: usize = 2000;
+    if matches!(run.status, Status::Singular { .. }) {
+        return None;
+    }
+    let t = &record.t;
+    let stride = t.len().div_ceil(LOOKS);
+    let some: Vec<usize> = (0..t.len()).step_by(stride).collect();
+    let times = |samples: &[usize]| samples.iter().map(|&k| t[k]).collect::<Vec<f64>>();
+    let along_record = growth::time_of_growth(
+        model,
+        p,
+        signals,
+        &times(&some),
+        &|k| initial::state_from(model, p, t[some[k]], &series::smoothed(t, outputs, some[k], prediction::WINDOW), &signals.at(t[some[k]])),
+        SENSITIVE,
+    );
+    let reached: Vec<usize> = some.iter().copied().filter(|&k| k < run.t.len()).collect();
+    let along_run = growth::time_of_growth(model, p, signals, &times(&reached), &|k| run.state(reached[k]).to_vec(), SENSITIVE);
+    let time = [along_record, along_run].into_iter().flatten().min_by(f64::total_cmp)? - t[0];
+    let shortest = 2.0 * record.period();
+    Some(prediction::round_down(0.25 * time).max(shortest).min(0.5 * record.duration()))
 }
 
 /// The unit is one of angles.
-fn is_angle(unit: &str) -> bool {
+pub(crate) fn is_angle(unit: &str) -> bool {
     matches!(unit, "rad" | "deg" | "turn" | "rev" | "mrad")
 }

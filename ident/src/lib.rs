@@ -1,9 +1,10 @@
-//! Measured records, and how well a model's free run follows them.
+//! Measured records, how well a model's free run follows them, and parameters fitted to them.
 //!
 //! [`record`] reads records as they are (CSV, MATLAB, or a description of another lab's file) and matches them to a
-//! model; [`compare`] lays a free run over one. Knows models through [`runtime::Model`] only; of the rig language only its
+//! model; [`compare`] lays a free run over one, [`fit`] identifies. Knows models through [`runtime::Model`] only; of the rig language only its
 //! units.
 #![forbid(unsafe_code)]
 
 pub mod compare;
+pub mod fit;
 pub mod record;

@@ -42,7 +42,10 @@ fn every_class_of_numbers() {
 #[test]
 fn what_is_no_matrix_of_numbers_is_named() {
     let kinds = |name: &str| {
-        let others: Vec<String> = read(name).into_iter().filter_map(|v| if let MatValue::Other(kind) = v.value { Some(format!("{}: {kind}", v.name)) } else { None }).collect();
+        let others: Vec<String> = read(name)
+            .into_iter()
+            .filter_map(|v| if let MatValue::Other(kind) = v.value { Some(format!("{}: {kind}", v.name)) } else { None })
+            .collect();
         others.join("; ")
     };
     assert_eq!(kinds("level4.mat"), "text: text; complex: a complex matrix");
@@ -79,7 +82,12 @@ fn what_is_not_read_says_what_to_do() {
     hdf[..10].copy_from_slice(b"MATLAB 7.3");
     hdf.extend(b"\x89HDF\r\n\x1a\n");
     let text = message(&hdf);
-    assert!(text.starts_with("this is a MAT file of level 7.3 (HDF5), which is not read; in MATLAB save it anew: `load run.mat; save('run.mat', '-v7')`"), "{text}");
+    assert!(
+        text.starts_with(
+            "this is a MAT file of level 7.3 (HDF5), which is not read; in MATLAB save it anew: `load run.mat; save('run.mat', '-v7')`"
+        ),
+        "{text}"
+    );
     assert_eq!(read_mat(b"\x89HDF\r\n\x1a\nxxxx"), Err(MatError::Level73));
     assert_eq!(message(b"t,theta\n0,1\n"), "this is no MAT file of level 4 or 5");
     assert_eq!(message(b""), "this is no MAT file of level 4 or 5");
@@ -101,7 +109,8 @@ fn a_header_that_lies_allocates_nothing() {
 #[test]
 fn damaged_files_never_panic() {
     let mut random = Random(20_240_711);
-    let originals: Vec<Vec<u8>> = ["level4.mat", "level5.mat", "level5_compressed.mat", "run.mat"].iter().map(|n| std::fs::read(made(n)).unwrap()).collect();
+    let originals: Vec<Vec<u8>> =
+        ["level4.mat", "level5.mat", "level5_compressed.mat", "run.mat"].iter().map(|n| std::fs::read(made(n)).unwrap()).collect();
     let (mut read, mut refused) = (0, 0);
     for k in 0..8000 {
         let mut bytes = originals[k % originals.len()].clone();

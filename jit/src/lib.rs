@@ -9,6 +9,7 @@ mod compile;
 mod model;
 mod native;
 mod program;
+mod selection;
 mod tape;
 
 pub use compile::NoCode;

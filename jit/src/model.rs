@@ -2,6 +2,7 @@
 
 use crate::compile::NoCode;
 use crate::program::{Arguments, Evaluation, Program, RESULTS};
+use crate::selection::Selections;
 use codegen::Equations;
 use codegen::expr::Id;
 use runtime::{Dimensions, InputPath, Model, Names, OutputPath, Singular};
@@ -20,6 +21,7 @@ pub struct InProcess {
     output_jacobian: OnceLock<Program>,
     paths: OnceLock<Program>,
     pivots: OnceLock<Program>,
+    selections: Selections,
 }
 
 struct Labels {
@@ -87,6 +89,7 @@ impl InProcess {
             output_jacobian: OnceLock::new(),
             paths: OnceLock::new(),
             pivots: OnceLock::new(),
+            selections: Selections::default(),
         }
     }
 
@@ -109,12 +112,18 @@ impl InProcess {
 
     fn linear_program(&self, linear: &codegen::Linear) -> Program {
         let e = &self.equations;
-        self.program([&e.state_derivative(), &linear.a.concat(), &linear.b.concat()], &e.pivots)
+        self.program([&e.state_derivative(), &linear.a.concat(), &linear.b.concat()], &self.eliminated())
     }
 
-    /// The coordinate of a pivot.
+    /// Pivots in the order in which the first that fails is at fault.
+    fn eliminated(&self) -> Vec<Id> {
+        self.equations.pivots_as_eliminated().into_iter().map(|(_, pivot)| pivot).collect()
+    }
+
+    /// The coordinate of the pivot at this place of [`InProcess::eliminated`].
     fn singular(&self, pivot: usize) -> Singular {
-        Singular { coordinate: self.equations.free[pivot] }
+        let free = &self.equations.free;
+        Singular { coordinate: free[free.len() - 1 - pivot] }
     }
 
     /// As [`Model::linearize`], without the slope of regularized Coulomb friction.
@@ -162,7 +171,7 @@ impl Model for InProcess {
 
     fn rhs(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
         let e = &self.equations;
-        let program = self.rhs.get_or_init(|| self.program([&e.state_derivative(), &[], &[]], &e.pivots));
+        let program = self.rhs.get_or_init(|| self.program([&e.state_derivative(), &[], &[]], &self.eliminated()));
         program.run(Arguments { t, x, u, p }, [dx, &mut [], &mut []]).map_err(|k| self.singular(k))
     }
 
@@ -173,8 +182,31 @@ impl Model for InProcess {
 
     fn parameter_jacobian(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dfdp: &mut [f64]) -> Result<(), Singular> {
         let e = &self.equations;
-        let program = self.parameters.get_or_init(|| self.program([&e.parameter_jacobian.concat(), &[], &[]], &e.pivots));
+        let program = self.parameters.get_or_init(|| self.program([&e.parameter_jacobian.concat(), &[], &[]], &self.eliminated()));
         program.run(Arguments { t, x, u, p }, [dfdp, &mut [], &mut []]).map_err(|k| self.singular(k))
+    }
+
+    fn sensitivities(
+        &self,
+        t: f64,
+        x: &[f64],
+        u: &[f64],
+        p: &[f64],
+        columns: &[usize],
+        dx: &mut [f64],
+        a: &mut [f64],
+        dfdp: &mut [f64],
+        work: &mut [f64],
+    ) -> Result<(), Singular> {
+        let e = &self.equations;
+        let program = self.selections.get(columns, || {
+            let selected: Vec<Id> = e.parameter_jacobian.iter().flat_map(|row| columns.iter().map(|&j| row[j])).collect();
+            self.program([&e.state_derivative(), &e.linear.a.concat(), &selected], &self.eliminated())
+        });
+        match program {
+            Some(program) => program.run(Arguments { t, x, u, p }, [dx, a, dfdp]).map_err(|k| self.singular(k)),
+            None => runtime::sensitivities_by_parts(self, t, x, u, p, columns, dx, a, dfdp, work),
+        }
     }
 
     fn pivots(&self, t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {

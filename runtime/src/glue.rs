@@ -16,16 +16,17 @@ pub fn array<const N: usize>(slice: &[f64]) -> [f64; N] {
 /// Writes values to the start of a slice, as many as it holds.
 #[inline]
 pub fn write(slice: &mut [f64], values: &[f64]) {
-    for (to, from) in slice.iter_mut().zip(values) {
-        *to = *from;
+    let n = values.len().min(slice.len());
+    if let (Some(to), Some(from)) = (slice.get_mut(..n), values.get(..n)) {
+        to.copy_from_slice(from);
     }
 }
 
 /// Writes values to a slice from an index on, as many as it holds.
 #[inline]
 pub fn write_at(slice: &mut [f64], start: usize, values: &[f64]) {
-    for (to, from) in slice.iter_mut().skip(start).zip(values) {
-        *to = *from;
+    if let Some(rest) = slice.get_mut(start..) {
+        write(rest, values);
     }
 }
 

@@ -17,4 +17,4 @@ pub mod math;
 mod model;
 
 pub use glue::{array, positive, write, write_at};
-pub use model::{Dimensions, InputPath, Model, Names, OutputPath, Singular, StateKind};
+pub use model::{Dimensions, InputPath, Model, Names, OutputPath, Singular, StateKind, sensitivities_by_parts};

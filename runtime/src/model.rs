@@ -26,6 +26,12 @@ impl Dimensions {
         2 * self.coordinates + self.lags
     }
 
+    /// Scratch that [`Model::sensitivities`] needs.
+    #[must_use]
+    pub const fn sensitivity_work(&self) -> usize {
+        self.states() * (self.signals() + self.parameters)
+    }
+
     /// Length of u, exogenous signals included.
     #[must_use]
     pub const fn signals(&self) -> usize {
@@ -120,7 +126,27 @@ pub trait Model: Sync {
     /// # Errors
     /// [`Singular`] where the mass matrix is not positive definite.
     fn parameter_jacobian(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dfdp: &mut [f64]) -> Result<(), Singular>;
-    /// Pivots D of the mass matrix M = L D L^T, one a coordinate (infinite where a coordinate is prescribed), written to
+    /// What sensitivities are integrated with: x', A = df/dx and the columns `columns` of df/dp (states x columns), in one
+    /// evaluation. `work` has at least [`Dimensions::sensitivity_work`] numbers.
+    ///
+    /// # Errors
+    /// [`Singular`] where the mass matrix is not positive definite.
+    #[allow(clippy::too_many_arguments)]
+    fn sensitivities(
+        &self,
+        t: f64,
+        x: &[f64],
+        u: &[f64],
+        p: &[f64],
+        columns: &[usize],
+        dx: &mut [f64],
+        a: &mut [f64],
+        dfdp: &mut [f64],
+        work: &mut [f64],
+    ) -> Result<(), Singular> {
+        sensitivities_by_parts(self, t, x, u, p, columns, dx, a, dfdp, work)
+    }
+    /// Pivots D of the mass matrix M = L^T D L, one a coordinate (infinite where a coordinate is prescribed), written to
     /// `d`; false where the model does not give them. Pivot k vanishes where coordinate k moves no inertia.
     fn pivots(&self, _t: f64, _x: &[f64], _p: &[f64], _d: &mut [f64]) -> bool {
         false
@@ -133,4 +159,37 @@ pub trait Model: Sync {
     fn input_path(&self, i: usize, p: &[f64]) -> InputPath;
     /// How output i leaves.
     fn output_path(&self, i: usize, p: &[f64]) -> OutputPath;
+}
+
+/// [`Model::sensitivities`] from [`Model::linearize`] and [`Model::parameter_jacobian`].
+///
+/// # Errors
+/// [`Singular`] where the mass matrix is not positive definite.
+#[allow(clippy::too_many_arguments)]
+pub fn sensitivities_by_parts<M: Model + ?Sized>(
+    model: &M,
+    t: f64,
+    x: &[f64],
+    u: &[f64],
+    p: &[f64],
+    columns: &[usize],
+    dx: &mut [f64],
+    a: &mut [f64],
+    dfdp: &mut [f64],
+    work: &mut [f64],
+) -> Result<(), Singular> {
+    let d = model.dimensions();
+    let (b, all) = work.split_at_mut(d.states() * d.signals());
+    model.linearize(t, x, u, p, dx, a, b)?;
+    if columns.is_empty() {
+        return Ok(());
+    }
+    let all = &mut all[..d.states() * d.parameters];
+    model.parameter_jacobian(t, x, u, p, all)?;
+    for (to, from) in dfdp.chunks_exact_mut(columns.len()).zip(all.chunks_exact(d.parameters)) {
+        for (to, &j) in to.iter_mut().zip(columns) {
+            *to = from[j];
+        }
+    }
+    Ok(())
 }

@@ -1,199 +1,520 @@
-//! Fixed steps of the classical Runge-Kutta method of order 4, with the exact derivatives of the computed states.
+//! A run with a frozen pattern of steps and exact sensitivities: what fitting evaluates again and again.
 //!
-//! Each stage k = f(x, p) carries dk = A dx + df/dp, so that what comes out is the derivative of the numbers that come out,
-//! not a second approximation: d x/d x0 and d x/d p for the fit of initial states and parameters. Steps end at every switch
-//! of the signals and at every wanted time. Parameters that enter by delays only have zero columns: a delay moves switches.
+//! With x' = f(t, x, u, p) it carries S = dx/d(unknowns), S' = A S + df/dp, through the same Runge-Kutta steps, so that
+//! the sensitivities are the derivatives of the computed trajectory itself. No step crosses a switch of an input; a step
+//! may span many samples, which are then read from the method's polynomial. Delays are time shifts: an input's delay
+//! moves its switches (the state's sensitivity jumps there by the difference of the slopes), an output's delay the time
+//! at which the state is read. The workspace is made once; a step allocates nothing.
 
 use crate::error::SimError;
-use crate::signals::{Segment, Signals, check_times};
+use crate::signals::{Path, Segment, Signals, check_times};
 use crate::simulate::{check, input_paths};
 use crate::status::Status;
-use runtime::Model;
+use crate::tableau::{FixedMethod, Tableau};
+use runtime::{Model, Singular};
 
-/// States and their derivatives, one block for each time that was reached.
-#[derive(Clone, Debug)]
-pub struct Sensitivities {
-    /// Times [s].
-    pub t: Vec<f64>,
-    /// States, times x states.
-    pub x: Vec<f64>,
-    /// d x/d x0, times x states x states.
-    pub by_initial: Vec<f64>,
-    /// d x/d p of the free parameters, times x states x free.
-    pub by_parameters: Vec<f64>,
-    /// How the run ended.
-    pub status: Status,
-    /// Up to this time the states are a solution [s].
-    pub valid_until: f64,
+/// Which steps are taken: as few equal ones as keep each no longer than `step` between two switches of the inputs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pattern {
+    /// FixedMethod.
+    pub method: FixedMethod,
+    /// Longest step [s].
+    pub step: f64,
 }
 
-/// Simulates with steps of at most `step` [s] and derivatives with respect to the initial state and to the parameters
-/// whose indices are in `free`.
-///
-/// # Errors
-/// [`SimError`] where the arguments are wrong.
-pub fn simulate_fixed(
-    model: &dyn Model,
-    p: &[f64],
-    x0: &[f64],
-    signals: &Signals,
-    times: &[f64],
-    step: f64,
-    free: &[usize],
-) -> Result<Sensitivities, SimError> {
-    check(model, p, x0, signals)?;
-    check_times("times of the outputs", times)?;
-    if !(step > 0.0 && step.is_finite()) {
-        return Err(SimError::Option { what: "the step", value: step });
-    }
-    if let Some(&wrong) = free.iter().find(|&&i| i >= p.len()) {
-        return Err(SimError::Length { what: "parameters", wanted: p.len(), found: wrong + 1 });
-    }
-    let paths = input_paths(model, p)?;
-    let n = x0.len();
-    let width = n + free.len();
-    let mut run =
-        Run { model, p, free, width, x: x0.to_vec(), s: vec![0.0; n * width], work: Work::new(n, width, signals.count(), p.len()) };
-    (0..n).for_each(|i| run.s[i * width + i] = 1.0);
-    let mut out = Sensitivities {
-        t: Vec::new(),
-        x: Vec::new(),
-        by_initial: Vec::new(),
-        by_parameters: Vec::new(),
-        status: Status::Completed,
-        valid_until: times[times.len() - 1],
-    };
-    run.write(times[0], &mut out);
-    let mut next = 1;
-    for segment in signals.segments(&paths, times[0], times[times.len() - 1]) {
-        let mut from = segment.from;
-        while from < segment.to {
-            let to = times.get(next).copied().filter(|&t| t <= segment.to).unwrap_or(segment.to);
-            // a remainder of rounding is no step of its own
-            let count = ((to - from) / step * (1.0 - 1e-12)).ceil().max(1.0);
-            let h = (to - from) / count;
-            let mut k = 0.0;
-            while k < count {
-                let t = from + k * h;
-                if let Err(status) = run.step(&segment, t, h) {
-                    out.status = status;
-                    out.valid_until = t;
-                    return Ok(out);
-                }
-                k += 1.0;
-            }
-            if times.get(next) == Some(&to) {
-                run.write(to, &mut out);
-                next += 1;
-            }
-            from = to;
-        }
-    }
-    Ok(out)
-}
-
-struct Run<'a> {
+/// Runs of one model over the same signals and times, with parameters and initial states that change.
+pub struct Forward<'a> {
     model: &'a dyn Model,
-    p: &'a [f64],
-    free: &'a [usize],
-    /// Columns of `s`: initial states, then free parameters.
-    width: usize,
-    x: Vec<f64>,
-    s: Vec<f64>,
-    work: Work,
+    signals: &'a Signals,
+    times: &'a [f64],
+    pattern: Pattern,
+    /// Outputs that are read.
+    outputs: Vec<usize>,
+    /// Parameters of the first columns of S.
+    parameters: Vec<usize>,
+    /// Columns of S.
+    columns: usize,
+    delays: Vec<Path>,
+    segments: Vec<Segment>,
+    reads: Vec<Read>,
+    output_delays: Vec<f64>,
+    work: Workspace,
+    steps: usize,
 }
 
-/// Buffers of a step.
-struct Work {
-    u: Vec<f64>,
+/// Output `outputs[output]` at time `t` is its value at sample `sample`.
+#[derive(Clone, Copy, Debug)]
+struct Read {
+    t: f64,
+    sample: usize,
+    output: usize,
+}
+
+/// z = [x | S by rows]; k are derivatives of z.
+struct Workspace {
+    z: Vec<f64>,
+    end: Vec<f64>,
     stage: Vec<f64>,
-    stage_s: Vec<f64>,
-    k: Vec<f64>,
+    inside: Vec<f64>,
+    k: Vec<Vec<f64>>,
+    /// Coefficients of the polynomial inside a step.
+    poly: [Vec<f64>; 4],
+    u: Vec<f64>,
     a: Vec<f64>,
     b: Vec<f64>,
     dfdp: Vec<f64>,
-    dk: Vec<f64>,
-    sum: Vec<f64>,
-    sum_s: Vec<f64>,
+    model: Vec<f64>,
+    dx: Vec<f64>,
+    y: Vec<f64>,
+    c: Vec<f64>,
+    dhdp: Vec<f64>,
+    dy: Vec<f64>,
+    /// d(delay of signal i)/d(parameter of column j), signals x parameters.
+    input_delay_slopes: Vec<f64>,
+    /// The same for the outputs that are read.
+    output_delay_slopes: Vec<f64>,
 }
 
-impl Work {
-    fn new(n: usize, width: usize, signals: usize, parameters: usize) -> Self {
-        Self {
-            u: vec![0.0; signals],
-            stage: vec![0.0; n],
-            stage_s: vec![0.0; n * width],
-            k: vec![0.0; n],
-            a: vec![0.0; n * n],
-            b: vec![0.0; n * signals],
-            dfdp: vec![0.0; n * parameters],
-            dk: vec![0.0; n * width],
-            sum: vec![0.0; n],
-            sum_s: vec![0.0; n * width],
+/// Where and why a run stopped.
+struct Stop {
+    t: f64,
+    fault: Fault,
+}
+
+enum Fault {
+    Singular(usize),
+    NotFinite(usize),
+}
+
+impl<'a> Forward<'a> {
+    /// Outputs `outputs` are read at `times` [s]. The sensitivities have one column for each of `parameters`, then `others`
+    /// columns for unknowns that enter through the initial state only; none at all make a plain run.
+    ///
+    /// # Errors
+    /// [`SimError`] where times do not increase, an index is out of range or the step is not positive.
+    pub fn new(
+        model: &'a dyn Model,
+        signals: &'a Signals,
+        times: &'a [f64],
+        outputs: &[usize],
+        parameters: &[usize],
+        others: usize,
+        pattern: Pattern,
+    ) -> Result<Self, SimError> {
+        let d = model.dimensions();
+        check_times("times of the outputs", times)?;
+        for (what, list, length) in [("outputs", outputs, d.outputs), ("parameters", parameters, d.parameters)] {
+            if let Some(&index) = list.iter().find(|&&i| i >= length) {
+                return Err(SimError::Length { what, wanted: length, found: index + 1 });
+            }
         }
+        if !(pattern.step > 0.0 && pattern.step.is_finite()) {
+            return Err(SimError::Option { what: "the step", value: pattern.step });
+        }
+        let (n, columns) = (d.states(), parameters.len() + others);
+        let size = n * (1 + columns);
+        let stages = pattern.method.tableau().b.len() + 1;
+        let zeros = |length: usize| vec![0.0; length];
+        let work = Workspace {
+            z: zeros(size),
+            end: zeros(size),
+            stage: zeros(size),
+            inside: zeros(size),
+            k: (0..stages).map(|_| zeros(size)).collect(),
+            poly: std::array::from_fn(|_| zeros(size)),
+            u: zeros(d.signals()),
+            a: zeros(n * n),
+            b: zeros(n * d.signals()),
+            dfdp: zeros(n * parameters.len()),
+            model: zeros(d.sensitivity_work()),
+            dx: zeros(n),
+            y: zeros(d.outputs),
+            c: zeros(d.outputs * n),
+            dhdp: zeros(d.outputs * d.parameters),
+            dy: zeros(columns),
+            input_delay_slopes: zeros(d.signals() * parameters.len()),
+            output_delay_slopes: zeros(outputs.len() * parameters.len()),
+        };
+        Ok(Self {
+            model,
+            signals,
+            times,
+            pattern,
+            outputs: outputs.to_vec(),
+            parameters: parameters.to_vec(),
+            columns,
+            delays: Vec::new(),
+            segments: Vec::new(),
+            reads: Vec::new(),
+            output_delays: Vec::new(),
+            work,
+            steps: 0,
+        })
     }
-}
 
-impl Run<'_> {
-    fn step(&mut self, segment: &Segment, t: f64, h: f64) -> Result<(), Status> {
-        let w = &mut self.work;
-        w.sum.fill(0.0);
-        w.sum_s.fill(0.0);
-        // (time and weight of the slope before) of each stage, weight in the sum
-        for (c, weight) in [(0.0, 1.0), (0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
-            let ahead = c * h;
-            add(&self.x, ahead, &w.k, &mut w.stage);
-            add(&self.s, ahead, &w.dk, &mut w.stage_s);
-            let time = t + ahead;
-            segment.at(time, &mut w.u);
-            let singular = |s: runtime::Singular| Status::Singular { coordinate: self.model.names().state(s.coordinate).to_owned(), t };
-            self.model.linearize(time, &w.stage, &w.u, self.p, &mut w.k, &mut w.a, &mut w.b).map_err(singular)?;
-            if !self.free.is_empty() {
-                self.model.parameter_jacobian(time, &w.stage, &w.u, self.p, &mut w.dfdp).map_err(singular)?;
-            }
-            let n = self.x.len();
-            for i in 0..n {
-                let row = &mut w.dk[i * self.width..(i + 1) * self.width];
-                row.fill(0.0);
-                for (column, &parameter) in self.free.iter().enumerate() {
-                    row[n + column] = w.dfdp[i * self.p.len() + parameter];
-                }
-                for j in 0..n {
-                    let slope = w.a[i * n + j];
-                    if slope != 0.0 {
-                        row.iter_mut().zip(&w.stage_s[j * self.width..(j + 1) * self.width]).for_each(|(d, s)| *d += slope * s);
-                    }
-                }
-            }
-            w.sum.iter_mut().zip(&w.k).for_each(|(sum, k)| *sum += weight * k);
-            w.sum_s.iter_mut().zip(&w.dk).for_each(|(sum, k)| *sum += weight * k);
+    /// Columns of the sensitivities.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// The steps.
+    #[must_use]
+    pub fn pattern(&self) -> Pattern {
+        self.pattern
+    }
+
+    /// Steps of the last run.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// State at which the last run ended.
+    #[must_use]
+    pub fn state(&self) -> &[f64] {
+        &self.work.z[..self.model.dimensions().states()]
+    }
+
+    /// Sensitivities of [`Forward::state`], states x columns.
+    #[must_use]
+    pub fn sensitivities(&self) -> &[f64] {
+        &self.work.z[self.model.dimensions().states()..]
+    }
+
+    /// Runs from `x0` at the first time with the sensitivities `s0` (states x columns). `sink(k, i, y, dy)` is given the
+    /// value of `outputs[i]` at `times[k]` and its derivative by each column, without encoder.
+    ///
+    /// # Errors
+    /// [`SimError`] where arguments are wrong. A run that ends early is no error, see [`Status`]; what was read up to then
+    /// has been given.
+    pub fn run(
+        &mut self,
+        p: &[f64],
+        x0: &[f64],
+        s0: &[f64],
+        sink: &mut dyn FnMut(usize, usize, f64, &[f64]),
+    ) -> Result<Status, SimError> {
+        check(self.model, p, x0, self.signals)?;
+        let n = self.model.dimensions().states();
+        if s0.len() != n * self.columns {
+            return Err(SimError::Length { what: "initial sensitivities", wanted: n * self.columns, found: s0.len() });
         }
-        add(&self.x, h / 6.0, &w.sum, &mut w.stage);
-        if let Some(i) = w.stage.iter().position(|x| !x.is_finite()) {
-            return Err(Status::NotFinite { state: self.model.names().state(i).to_owned(), t });
+        self.lay_out(p)?;
+        let segments = std::mem::take(&mut self.segments);
+        let reads = std::mem::take(&mut self.reads);
+        self.work.z[..n].copy_from_slice(x0);
+        self.work.z[n..].copy_from_slice(s0);
+        let ended = self.travel(p, &segments, &reads, sink);
+        self.segments = segments;
+        self.reads = reads;
+        let names = self.model.names();
+        Ok(match ended {
+            Ok(()) => Status::Completed,
+            Err(Stop { t, fault: Fault::Singular(i) }) => Status::Singular { coordinate: names.state(i).to_owned(), t },
+            Err(Stop { t, fault: Fault::NotFinite(i) }) => Status::NotFinite { state: names.state(i).to_owned(), t },
+        })
+    }
+
+    /// Segments and reads for the delays that these parameters give; made anew only where these have changed.
+    fn lay_out(&mut self, p: &[f64]) -> Result<(), SimError> {
+        let (start, end) = (self.times[0], self.times[self.times.len() - 1]);
+        let paths = input_paths(self.model, p)?;
+        if paths != self.delays || self.segments.is_empty() {
+            self.segments = self.signals.segments(&paths, start, end);
+            self.delays = paths;
         }
-        add(&self.s, h / 6.0, &w.sum_s, &mut w.stage_s);
-        std::mem::swap(&mut self.x, &mut w.stage);
-        std::mem::swap(&mut self.s, &mut w.stage_s);
+        let mut delays = Vec::with_capacity(self.outputs.len());
+        for &i in &self.outputs {
+            let delay = self.model.output_path(i, p).delay;
+            if !(delay >= 0.0 && delay.is_finite()) {
+                return Err(SimError::Delay { of: self.model.names().output(i).to_owned(), value: delay });
+            }
+            delays.push(delay);
+        }
+        if delays != self.output_delays || self.reads.is_empty() {
+            self.reads.clear();
+            for (sample, &t) in self.times.iter().enumerate() {
+                self.reads.extend(delays.iter().enumerate().map(|(output, delay)| Read { t: t - delay, sample, output }));
+            }
+            if delays.iter().any(|&d| d != delays[0]) {
+                self.reads.sort_by(|a, b| a.t.total_cmp(&b.t));
+            }
+            self.output_delays = delays;
+        }
+        self.delay_slopes(p);
         Ok(())
     }
 
-    fn write(&self, t: f64, out: &mut Sensitivities) {
-        let n = self.x.len();
-        out.t.push(t);
-        out.x.extend_from_slice(&self.x);
-        for row in self.s.chunks(self.width.max(1)) {
-            out.by_initial.extend_from_slice(&row[..n]);
-            out.by_parameters.extend_from_slice(&row[n..]);
+    /// Derivatives of the delays. A delay is nearly always a parameter itself, for which the difference is exact.
+    fn delay_slopes(&mut self, p: &[f64]) {
+        let d = self.model.dimensions();
+        let count = self.parameters.len();
+        let mut shifted = p.to_vec();
+        for (column, &j) in self.parameters.iter().enumerate() {
+            let h = 1e-4 * p[j].abs().max(1e-3);
+            let mut difference = |read: &dyn Fn(&[f64]) -> f64| {
+                shifted[j] = p[j] + h;
+                let above = read(&shifted);
+                shifted[j] = p[j] - h;
+                let below = read(&shifted);
+                shifted[j] = p[j];
+                if above == below { 0.0 } else { (above - below) / (2.0 * h) }
+            };
+            for i in 0..d.inputs {
+                self.work.input_delay_slopes[i * count + column] = difference(&|p| self.model.input_path(i, p).delay);
+            }
+            for (r, &i) in self.outputs.iter().enumerate() {
+                self.work.output_delay_slopes[r * count + column] = difference(&|p| self.model.output_path(i, p).delay);
+            }
         }
+    }
+
+    fn travel(
+        &mut self,
+        p: &[f64],
+        segments: &[Segment],
+        reads: &[Read],
+        sink: &mut dyn FnMut(usize, usize, f64, &[f64]),
+    ) -> Result<(), Stop> {
+        let tableau = self.pattern.method.tableau();
+        let moving_switches = self.work.input_delay_slopes.iter().any(|&s| s != 0.0);
+        let start = self.times[0];
+        let mut next = 0;
+        self.steps = 0;
+        // what is read at the start, or before it because of a delay
+        if let Some(first) = segments.first() {
+            self.work.u.copy_from_slice(&first.values);
+        }
+        self.work.inside.clone_from(&self.work.z);
+        next = self.read(p, start, reads, next, sink)?;
+        for (index, segment) in segments.iter().enumerate() {
+            let length = segment.to - segment.from;
+            if !(length > 0.0) {
+                continue;
+            }
+            if moving_switches && index > 0 {
+                let before = &segments[index - 1];
+                before.at(before.to, &mut self.work.u);
+                self.jump(p, segment)?;
+            }
+            let count = (length / self.pattern.step - 1e-9).ceil().max(1.0);
+            let h = length / count;
+            segment.at(segment.from, &mut self.work.u);
+            self.derivative(p, segment.from, segment, 0, moving_switches, Source::Start)?;
+            let count = count as usize;
+            for step in 0..count {
+                let t = segment.from + h * step as f64;
+                let last = step + 1 == count;
+                let to = if last { segment.to } else { segment.from + h * (step + 1) as f64 };
+                self.step(p, t, h, segment, tableau, moving_switches)?;
+                self.steps += 1;
+                let inside = reads.get(next).is_some_and(|r| r.t < to);
+                if !last || inside {
+                    segment.at(to, &mut self.work.u);
+                    self.derivative(p, to, segment, tableau.b.len(), moving_switches, Source::End)?;
+                }
+                if inside {
+                    self.polynomial(h, tableau);
+                    while let Some(read) = reads.get(next).filter(|r| r.t < to) {
+                        self.interpolate((read.t - t) / h);
+                        segment.at(read.t, &mut self.work.u);
+                        next = self.read(p, read.t, reads, next, sink)?;
+                    }
+                }
+                std::mem::swap(&mut self.work.z, &mut self.work.end);
+                self.work.k.swap(0, tableau.b.len());
+                if reads.get(next).is_some_and(|r| r.t <= to) {
+                    self.work.inside.copy_from_slice(&self.work.z);
+                    segment.at(to, &mut self.work.u);
+                    next = self.read(p, to, reads, next, sink)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// One step from z to `end`; stage 0 is there.
+    fn step(&mut self, p: &[f64], t: f64, h: f64, segment: &Segment, tableau: &Tableau, moving: bool) -> Result<(), Stop> {
+        for (s, (row, c)) in tableau.a.iter().zip(tableau.c).enumerate() {
+            let w = &mut self.work;
+            combine(&mut w.stage, &w.z, &w.k, row, h);
+            let at = t + c * h;
+            segment.at(at, &mut w.u);
+            self.derivative(p, at, segment, s + 1, moving, Source::Stage)?;
+        }
+        let w = &mut self.work;
+        combine(&mut w.end, &w.z, &w.k, tableau.b, h);
+        let n = self.model.dimensions().states();
+        match w.end[..n].iter().position(|x| !x.is_finite()) {
+            Some(i) => Err(Stop { t, fault: Fault::NotFinite(i) }),
+            None => Ok(()),
+        }
+    }
+
+    /// Derivative of z, of a stage or of `end`, written to stage `to`.
+    fn derivative(&mut self, p: &[f64], t: f64, segment: &Segment, to: usize, moving: bool, source: Source) -> Result<(), Stop> {
+        let d = self.model.dimensions();
+        let (n, coordinates, m) = (d.states(), d.coordinates, self.columns);
+        let w = &mut self.work;
+        let z = match source {
+            Source::Start => &w.z,
+            Source::Stage => &w.stage,
+            Source::End => &w.end,
+        };
+        let (x, s) = z.split_at(n);
+        let (dx, ds) = w.k[to].split_at_mut(n);
+        let stop = |Singular { coordinate }| Stop { t, fault: Fault::Singular(coordinate) };
+        if m == 0 {
+            return self.model.rhs(t, x, &w.u, p, dx).map_err(stop);
+        }
+        self.model.sensitivities(t, x, &w.u, p, &self.parameters, dx, &mut w.a, &mut w.dfdp, &mut w.model).map_err(stop)?;
+        // q' = v holds for the sensitivities as well
+        let (ds_q, ds_rest) = ds.split_at_mut(coordinates * m);
+        ds_q.copy_from_slice(&s[coordinates * m..2 * coordinates * m]);
+        let count = self.parameters.len();
+        for (i, row) in (coordinates..n).zip(ds_rest.chunks_exact_mut(m)) {
+            let (by_parameters, others) = row.split_at_mut(count);
+            by_parameters.copy_from_slice(&w.dfdp[i * count..(i + 1) * count]);
+            others.fill(0.0);
+            for (&a, column) in w.a[i * n..(i + 1) * n].iter().zip(s.chunks_exact(m)) {
+                if a != 0.0 {
+                    row.iter_mut().zip(column).for_each(|(r, s)| *r += a * s);
+                }
+            }
+        }
+        if moving && segment.slopes.iter().any(|&s| s != 0.0) {
+            // a signal that is straight and comes later by d is lower by slope d
+            self.model.linearize(t, x, &w.u, p, &mut w.dx, &mut w.a, &mut w.b).map_err(stop)?;
+            let signals = d.signals();
+            for (i, row) in (coordinates..n).zip(ds_rest.chunks_exact_mut(m)) {
+                for (k, slope) in segment.slopes.iter().enumerate() {
+                    let effect = -w.b[i * signals + k] * slope;
+                    let by = &w.input_delay_slopes[k * count..(k + 1) * count];
+                    row.iter_mut().zip(by).for_each(|(r, by)| *r += effect * by);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A switch that comes later keeps the old slope longer: S jumps by (f before - f after) d(delay)/d(unknown).
+    fn jump(&mut self, p: &[f64], segment: &Segment) -> Result<(), Stop> {
+        let d = self.model.dimensions();
+        let (n, m, count) = (d.states(), self.columns, self.parameters.len());
+        let w = &mut self.work;
+        let t = segment.from;
+        let stop = |Singular { coordinate }| Stop { t, fault: Fault::Singular(coordinate) };
+        // `u` holds the signals at the end of the segment before; they change one after the other
+        let (x, s) = w.z.split_at_mut(n);
+        for i in 0..d.signals() {
+            if w.u[i] == segment.values[i] {
+                continue;
+            }
+            self.model.rhs(t, x, &w.u, p, &mut w.dx).map_err(stop)?;
+            w.u[i] = segment.values[i];
+            let by = &w.input_delay_slopes[i * count..(i + 1) * count];
+            if by.iter().all(|&b| b == 0.0) {
+                continue;
+            }
+            let after = &mut w.stage[..n];
+            self.model.rhs(t, x, &w.u, p, after).map_err(stop)?;
+            for ((row, before), after) in s.chunks_exact_mut(m).zip(&w.dx).zip(after.iter()) {
+                row.iter_mut().zip(by).for_each(|(s, by)| *s += (before - after) * by);
+            }
+        }
+        Ok(())
+    }
+
+    /// Coefficients of the polynomial of the step from z to `end`.
+    fn polynomial(&mut self, h: f64, tableau: &Tableau) {
+        let w = &mut self.work;
+        let last = tableau.b.len();
+        let [r2, r3, r4, r5] = &mut w.poly;
+        for i in 0..w.z.len() {
+            r2[i] = w.end[i] - w.z[i];
+            r3[i] = h * w.k[0][i] - r2[i];
+            r4[i] = r2[i] - h * w.k[last][i] - r3[i];
+        }
+        r5.fill(0.0);
+        for (d, k) in tableau.d.iter().zip(&w.k).filter(|(d, _)| **d != 0.0) {
+            r5.iter_mut().zip(k).for_each(|(r, k)| *r += h * d * k);
+        }
+    }
+
+    /// State and sensitivities at `s` steps after z, written to `inside`.
+    fn interpolate(&mut self, s: f64) {
+        let w = &mut self.work;
+        let [r2, r3, r4, r5] = &w.poly;
+        let rest = 1.0 - s;
+        for (i, inside) in w.inside.iter_mut().enumerate() {
+            *inside = w.z[i] + s * (r2[i] + rest * (r3[i] + s * (r4[i] + rest * r5[i])));
+        }
+    }
+
+    /// Gives all reads from `next` on that are due at time t, where `inside` is the state. Returns the first that is not.
+    fn read(
+        &mut self,
+        p: &[f64],
+        t: f64,
+        reads: &[Read],
+        mut next: usize,
+        sink: &mut dyn FnMut(usize, usize, f64, &[f64]),
+    ) -> Result<usize, Stop> {
+        let d = self.model.dimensions();
+        let (n, m, count) = (d.states(), self.columns, self.parameters.len());
+        let w = &mut self.work;
+        let (x, s) = w.inside.split_at(n);
+        if reads.get(next).is_none_or(|r| r.t > t) {
+            return Ok(next);
+        }
+        self.model.outputs(t, x, p, &mut w.y);
+        if m > 0 {
+            self.model.output_jacobian(t, x, p, &mut w.c, &mut w.dhdp);
+        }
+        while let Some(read) = reads.get(next).filter(|r| r.t <= t) {
+            let i = self.outputs[read.output];
+            if m > 0 {
+                let (by_parameters, others) = w.dy.split_at_mut(count);
+                for (dy, &j) in by_parameters.iter_mut().zip(&self.parameters) {
+                    *dy = w.dhdp[i * d.parameters + j];
+                }
+                others.fill(0.0);
+                for (&c, row) in w.c[i * n..(i + 1) * n].iter().zip(s.chunks_exact(m)) {
+                    if c != 0.0 {
+                        w.dy.iter_mut().zip(row).for_each(|(dy, s)| *dy += c * s);
+                    }
+                }
+                let slopes = &w.output_delay_slopes[read.output * count..(read.output + 1) * count];
+                // read before the start: the initial state, whatever the delay
+                if slopes.iter().any(|&s| s != 0.0) && read.t >= self.times[0] {
+                    self.model
+                        .rhs(t, x, &w.u, p, &mut w.dx)
+                        .map_err(|Singular { coordinate }| Stop { t, fault: Fault::Singular(coordinate) })?;
+                    let rate: f64 = w.c[i * n..(i + 1) * n].iter().zip(&w.dx).map(|(c, dx)| c * dx).sum();
+                    w.dy.iter_mut().zip(slopes).for_each(|(dy, slope)| *dy -= rate * slope);
+                }
+            }
+            sink(read.sample, read.output, w.y[i], &w.dy);
+            next += 1;
+        }
+        Ok(next)
     }
 }
 
-/// out = x + h k; the first stage has h = 0, whatever k holds from before.
-fn add(x: &[f64], h: f64, k: &[f64], out: &mut [f64]) {
-    if h == 0.0 {
-        out.copy_from_slice(x);
-    } else {
-        out.iter_mut().zip(x).zip(k).for_each(|((out, x), k)| *out = x + h * k);
+/// Of which vector a derivative is wanted.
+#[derive(Clone, Copy)]
+enum Source {
+    Start,
+    Stage,
+    End,
+}
+
+/// out = z + h (weights of k).
+fn combine(out: &mut [f64], z: &[f64], k: &[Vec<f64>], weights: &[f64], h: f64) {
+    out.copy_from_slice(z);
+    for (weight, k) in weights.iter().zip(k).filter(|(w, _)| **w != 0.0) {
+        let weight = h * weight;
+        out.iter_mut().zip(k).for_each(|(o, k)| *o += weight * k);
     }
 }

@@ -144,7 +144,7 @@ fn knots(signal: &Signal, path: Path) -> Vec<Knot> {
 }
 
 /// Limits and delay of one signal.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Path {
     pub limits: (f64, f64),
     pub delay: f64,

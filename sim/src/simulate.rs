@@ -173,7 +173,8 @@ fn vanished(model: &dyn Model, p: &[f64], begin: (f64, &[f64]), end: (f64, &[f64
     let n = model.dimensions().coordinates;
     let (mut before, mut after) = (vec![0.0; n], vec![0.0; n]);
     let known = model.pivots(begin.0, begin.1, p, &mut before) && model.pivots(end.0, end.1, p, &mut after);
-    (0..n).filter(|_| known).find(|&k| after[k] < VANISHED * before[k])
+    // a pivot that vanishes spoils those of earlier coordinates
+    (0..n).rev().filter(|_| known).find(|&k| after[k] < VANISHED * before[k])
 }
 
 /// Lengths and finiteness of what every kind of run takes.

@@ -1,10 +1,10 @@
-//! Fixed steps: order 4, agreement with adaptive runs, derivatives against differences.
+//! Fixed steps: orders, agreement with adaptive runs, derivatives against differences, ways to end.
 
 mod models;
 
 use models::{Hand, Linear, Pendulum, Wall};
-use sim::sensitivity::{Sensitivities, simulate_fixed};
-use sim::{Hold, Options, Signal, Signals, Status, simulate};
+use runtime::Model;
+use sim::{FixedMethod, Forward, Hold, Options, Pattern, Signal, Signals, Status, simulate};
 
 const P: [f64; 3] = [9.81, 0.2, 1.3];
 const X0: [f64; 2] = [1.2, -0.4];
@@ -14,61 +14,73 @@ fn signals() -> Signals {
     Signals::new(vec![Signal { t: vec![0.0, 0.777_77], values: vec![2.0, -1.0], hold: Hold::Zero }]).unwrap()
 }
 
+/// More often than any step.
 fn times() -> Vec<f64> {
-    (0..=40).map(|k| f64::from(k) * 0.05).collect()
+    (0..=200).map(|k| f64::from(k) * 0.01).collect()
 }
 
-fn fixed(p: &[f64], x0: &[f64], step: f64) -> Sensitivities {
-    simulate_fixed(&Hand(Pendulum), p, x0, &signals(), &times(), step, &[0, 1, 2]).unwrap()
+/// Output 0 and its derivatives by `free` parameters and all initial states.
+struct Run {
+    y: Vec<f64>,
+    dy: Vec<Vec<f64>>,
+    status: Status,
+}
+
+fn fixed(model: &dyn Model, p: &[f64], x0: &[f64], free: &[usize], pattern: Pattern) -> Run {
+    let (signals, times) = (signals(), times());
+    let n = x0.len();
+    let mut forward = Forward::new(model, &signals, &times, &[0], free, n, pattern).unwrap();
+    let columns = forward.columns();
+    let mut s0 = vec![0.0; n * columns];
+    (0..n).for_each(|i| s0[i * columns + free.len() + i] = 1.0);
+    let (mut y, mut dy) = (Vec::new(), Vec::new());
+    let status = forward
+        .run(p, x0, &s0, &mut |_, _, value, slopes| {
+            y.push(value);
+            dy.push(slopes.to_vec());
+        })
+        .unwrap();
+    Run { y, dy, status }
+}
+
+fn steps(method: FixedMethod, step: f64) -> Pattern {
+    Pattern { method, step }
 }
 
 #[test]
-fn order_is_four() {
-    let exact =
-        simulate(&Hand(Pendulum), &P, &X0, &signals(), &times(), &Options { relative: 1e-13, absolute: 1e-14, ..Options::default() })
-            .unwrap();
-    let error = |step: f64| fixed(&P, &X0, step).x.iter().zip(&exact.x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let errors = [0.05, 0.025, 0.0125].map(error);
-    // halving the step divides the error by 16, up to the next order
-    for pair in errors.windows(2) {
-        assert!((14.0..18.5).contains(&(pair[0] / pair[1])), "{errors:?}");
-    }
-    assert!(errors[2] < 1e-6, "{errors:?}");
-}
-
-#[test]
-fn derivatives_are_those_of_the_computed_states() {
-    let s = fixed(&P, &X0, 0.02);
-    let rows = s.t.len();
-    // central differences of the same computation: error h^2 f'''/6 + rounding/h, about 1e-9 here
-    let h = 1e-5;
-    let difference =
-        |plus: &Sensitivities, minus: &Sensitivities| plus.x.iter().zip(&minus.x).map(|(a, b)| (a - b) / (2.0 * h)).collect::<Vec<f64>>();
-    for j in 0..2 {
-        let moved = |by: f64| {
-            let mut x0 = X0;
-            x0[j] += by;
-            fixed(&P, &x0, 0.02)
-        };
-        let wanted = difference(&moved(h), &moved(-h));
-        for k in 0..rows {
-            for i in 0..2 {
-                let found = s.by_initial[k * 4 + i * 2 + j];
-                assert!((found - wanted[k * 2 + i]).abs() < 1e-7, "x{i} by x0_{j} at {k}: {found} {}", wanted[k * 2 + i]);
-            }
+fn orders_inside_and_at_the_end_of_steps() {
+    let tight = Options { relative: 1e-13, absolute: 1e-14, ..Options::default() };
+    let exact = simulate(&Hand(Pendulum), &P, &X0, &signals(), &times(), &tight).unwrap().output(0);
+    // halving the step divides the error by 2^order, up to the next order
+    for (method, inside) in [(FixedMethod::Classical, 12.0..20.0), (FixedMethod::DormandPrince, 26.0..40.0)] {
+        let errors = [0.08, 0.04, 0.02].map(|step| {
+            let run = fixed(&Hand(Pendulum), &P, &X0, &[], steps(method, step));
+            run.y.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+        });
+        for pair in errors.windows(2) {
+            assert!(inside.contains(&(pair[0] / pair[1])), "{method:?}: {errors:?}");
         }
+        assert!(errors[2] < 1e-6, "{method:?}: {errors:?}");
     }
-    for j in 0..3 {
-        let moved = |by: f64| {
-            let mut p = P;
-            p[j] += by;
-            fixed(&p, &X0, 0.02)
-        };
-        let wanted = difference(&moved(h), &moved(-h));
-        for k in 0..rows {
-            for i in 0..2 {
-                let found = s.by_parameters[k * 6 + i * 3 + j];
-                assert!((found - wanted[k * 2 + i]).abs() < 1e-7, "x{i} by p{j} at {k}: {found} {}", wanted[k * 2 + i]);
+}
+
+#[test]
+fn derivatives_are_those_of_the_computed_outputs() {
+    for method in [FixedMethod::Classical, FixedMethod::DormandPrince] {
+        let pattern = steps(method, 0.05);
+        let run = fixed(&Hand(Pendulum), &P, &X0, &[0, 1, 2], pattern);
+        // central differences of the same computation: error h^2 f'''/6 + rounding/h, about 1e-9 here
+        let h = 1e-5;
+        for column in 0..5 {
+            let moved = |by: f64| {
+                let (mut p, mut x0) = (P, X0);
+                if column < 3 { p[column] += by } else { x0[column - 3] += by }
+                fixed(&Hand(Pendulum), &p, &x0, &[], pattern).y
+            };
+            for (k, (above, below)) in moved(h).iter().zip(moved(-h)).enumerate() {
+                let wanted = (above - below) / (2.0 * h);
+                let found = run.dy[k][column];
+                assert!((found - wanted).abs() < 1e-7, "{method:?}, column {column} at {k}: {found} {wanted}");
             }
         }
     }
@@ -77,24 +89,24 @@ fn derivatives_are_those_of_the_computed_states() {
 #[test]
 fn only_the_free_parameters_have_columns() {
     let p = [3.0, 0.2, 0.1];
-    let all = simulate_fixed(&Hand(Linear), &p, &[0.1, 0.2, 0.3], &signals(), &times(), 0.01, &[0, 1, 2]).unwrap();
-    let some = simulate_fixed(&Hand(Linear), &p, &[0.1, 0.2, 0.3], &signals(), &times(), 0.01, &[2, 0]).unwrap();
-    let none = simulate_fixed(&Hand(Linear), &p, &[0.1, 0.2, 0.3], &signals(), &times(), 0.01, &[]).unwrap();
-    assert_eq!((none.by_parameters.len(), none.x == all.x, none.by_initial == all.by_initial), (0, true, true));
-    for (all, some) in all.by_parameters.chunks(3).zip(some.by_parameters.chunks(2)) {
-        assert_eq!(some, [all[2], all[0]]);
+    let run = |free: &[usize]| fixed(&Hand(Linear), &p, &[0.1, 0.2, 0.3], free, steps(FixedMethod::Classical, 0.01));
+    let (all, some, none) = (run(&[0, 1, 2]), run(&[2, 0]), run(&[]));
+    assert!(none.y == all.y && none.dy[7].len() == 3);
+    for (all, some) in all.dy.iter().zip(&some.dy) {
+        assert_eq!(some[..], [all[2], all[0], all[3], all[4], all[5]]);
     }
 }
 
 #[test]
 fn ends_and_arguments() {
-    let run = |step: f64, free: &[usize]| {
-        simulate_fixed(&Hand(Wall), &[0.8], &[0.0, 0.0], &Signals::constant(&[0.0]).unwrap(), &[0.0, 1.0, 2.0], step, free)
+    let run = fixed(&Hand(Wall), &[0.8], &[0.0, 0.0], &[], steps(FixedMethod::Classical, 0.01));
+    assert!(matches!(run.status, Status::Singular { .. }), "{:?}", run.status);
+    let end = run.status.time().unwrap();
+    assert!((end - 1.25).abs() < 0.011 && (run.y.len() as f64 - end / 0.01).abs() < 2.0, "{end} {}", run.y.len());
+    let (signals, times) = (signals(), times());
+    let refused = |free: &[usize], step: f64| {
+        Forward::new(&Hand(Wall), &signals, &times, &[0], free, 0, steps(FixedMethod::Classical, step)).err().unwrap().to_string()
     };
-    let out = run(0.01, &[]).unwrap();
-    assert!(matches!(out.status, Status::Singular { .. }), "{:?}", out.status);
-    assert_eq!(out.t, [0.0, 1.0]);
-    assert!((out.valid_until - 1.25).abs() < 0.011, "{}", out.valid_until);
-    assert_eq!(run(0.0, &[]).unwrap_err().to_string(), "the step must be a positive number, not 0");
-    assert_eq!(run(0.1, &[7]).unwrap_err().to_string(), "8 parameters were given, the model has 1");
+    assert_eq!(refused(&[], 0.0), "the step must be a positive number, not 0");
+    assert_eq!(refused(&[7], 0.1), "8 parameters were given, the model has 1");
 }

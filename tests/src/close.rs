@@ -20,11 +20,17 @@ const SMALL: f64 = 1e-3;
 /// Largest difference of two matrices given row by row, each entry relative to its own size (see [`SMALL`]).
 #[must_use]
 pub fn by_rows(values: &[f64], wanted: &[f64], columns: usize) -> f64 {
+    by_rows_of_scale(values, wanted, columns, |_| 0.0)
+}
+
+/// As [`by_rows`]; a row's largest entry counts as no less than `scale(row)`, the size of the terms that it is made of.
+#[must_use]
+pub fn by_rows_of_scale(values: &[f64], wanted: &[f64], columns: usize, scale: impl Fn(usize) -> f64) -> f64 {
     assert_eq!(values.len(), wanted.len(), "lengths differ");
     let size = |list: &[f64]| list.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let mut worst = 0.0_f64;
-    for (a, b) in values.chunks(columns.max(1)).zip(wanted.chunks(columns.max(1))) {
-        let largest = size(b).max(SMALL * size(wanted));
+    for (row, (a, b)) in values.chunks(columns.max(1)).zip(wanted.chunks(columns.max(1))).enumerate() {
+        let largest = size(b).max(SMALL * size(wanted)).max(scale(row));
         for (x, y) in a.iter().zip(b) {
             let d = if x == y { 0.0 } else { (x - y).abs() / y.abs().max(SMALL * largest) };
             // a NaN must not pass as a small difference

@@ -1,10 +1,15 @@
 //! Shared pieces of the cross-crate checks: where things lie, repeatable random numbers, random rigs.
 
 pub mod bench_rig;
+pub mod c_compiler;
+pub mod calls;
 pub mod close;
+#[rustfmt::skip]
+pub mod named;
 pub mod random;
 pub mod random_rig;
 pub mod trims;
+pub mod states;
 
 use std::path::PathBuf;
 

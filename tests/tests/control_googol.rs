@@ -1,8 +1,10 @@
 //! The seed paper's linear model and gain (eq. 17, 26), drift and trims, through the rig file and its derivation.
 
-use control::{LqrDesign, Sampling, Weight, lqr};
+use control::{Feedforward, LqrDesign, Sampling, Unknown, Weight, lqr};
 use cross_checks::bench_rig::Bench;
+use cross_checks::random::Random;
 use nalgebra::{DMatrix, dmatrix};
+use runtime::Model;
 
 const DEG: f64 = std::f64::consts::PI / 180.0;
 
@@ -84,4 +86,77 @@ fn a_design_that_includes_the_angle_of_travel_without_weight_names_it() {
         error.to_string(),
         "the weight does not see the mode at 0 (psi), which does not decay by itself: give one of its states a weight, or leave it out of the design"
     );
+}
+
+#[test]
+fn feedforward_from_the_trim_manifold_is_the_closed_form() {
+    let bench = Bench::new("googol_identified", &[]);
+    let value = |name: &str| (0..bench.p.len()).find(|&i| bench.model.names().parameter(i) == name).map_or(f64::NAN, |i| bench.p[i]);
+    let (a1, a2, a3, b1, b2) = (value("a1"), value("a2"), value("a3"), value("b1"), value("b2"));
+    // states psi, eps, theta, ..: elevation and pitch are held
+    let mut feedforward =
+        Feedforward::new(&bench.model, &bench.p, bench.trim_problem("level", &[]), vec![1, 2]).unwrap_or_else(|e| panic!("{e}"));
+    let mut random = Random::new(5);
+    for _ in 0..200 {
+        let (eps, theta) = (random.within(-0.6, 0.6), random.within(-1.0, 1.0));
+        let trim = feedforward.at(&[eps, theta]).unwrap_or_else(|e| panic!("{eps} {theta}: {e}"));
+        let f_s = (a1 * theta.cos() * eps.sin() + a2 * eps.cos()) / (b1 * theta.cos());
+        let f_d = a3 * eps.cos() * theta.sin() / b2;
+        assert!((trim.u[0] + trim.u[1] - f_s).abs() < 1e-12 * f_s.abs().max(1.0), "{trim:?}");
+        assert!((trim.u[0] - trim.u[1] - f_d).abs() < 1e-12 * f_d.abs().max(1.0), "{trim:?}");
+    }
+}
+
+#[test]
+fn a_solved_trim_is_its_own_solution_and_free_directions_are_named() {
+    let bench = Bench::new("googol_identified", &[]);
+    let mut problem = bench.trim_problem("hover", &[]);
+    let first = bench.trim("hover", &[]);
+    (problem.x, problem.u) = (first.x.clone(), first.u.clone());
+    let again = control::solve(&bench.model, &bench.p, &problem).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((again.iterations, &again.u), (0, &first.u));
+
+    // the angle of travel changes nothing: solved for in place of a thrust, it is free, and the elevation cannot be held
+    let mut wrong = bench.trim_problem("level", &[]);
+    wrong.unknowns[1] = Unknown::state("psi", 0);
+    let solved = control::solve(&bench.model, &bench.p, &wrong).unwrap_err();
+    assert_eq!(
+        solved.to_string(),
+        "no operating point near the start: after 2 steps `eps` keeps an acceleration of -1.628e0 (rank 1 of 2); nothing there depends on psi: solve for another quantity, or start elsewhere"
+    );
+    wrong.unknowns.pop();
+    let short = control::solve(&bench.model, &bench.p, &wrong).unwrap_err();
+    assert_eq!(
+        short.to_string(),
+        "1 quantity to be solved for (f_1) but 2 accelerations to vanish (eps, theta): as many of one as of the other are needed"
+    );
+}
+
+#[test]
+fn every_named_trim_of_every_example_is_found_or_says_what_cannot_move() {
+    for path in cross_checks::example_rigs() {
+        let name = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+        let bench = Bench::new(&name, &[]);
+        for trim in &bench.rig.trims {
+            match control::solve(&bench.model, &bench.p, &bench.trim_problem(&trim.name, &[])) {
+                Ok(found) => {
+                    println!(
+                        "{name:20} {:10} steps {} rank {}/{} residual {:.1e} drift {:.3?}",
+                        trim.name, found.iterations, found.rank, found.unknowns, found.residual, found.drift
+                    );
+                    assert_eq!((found.rank, found.free.len()), (found.unknowns, 0), "{name} {}", trim.name);
+                }
+                // without friction no rate of travel balances the pull of a banked lift
+                Err(error) => {
+                    println!("{name:20} {:10} {error}", trim.name);
+                    assert!(error.to_string().contains("nothing there depends on psi.dot"), "{name} {}: {error}", trim.name);
+                    assert!(
+                        matches!(&bench.model.equations().assumptions[..], [.., last] if last.contains("friction")),
+                        "{name} {}",
+                        trim.name
+                    );
+                }
+            }
+        }
+    }
 }

@@ -5,7 +5,7 @@ use codegen::emit::{declared, declared_fingerprint};
 use codegen::expr::{Id, SymbolKind};
 use codegen::{Equations, Options, derive};
 use control::{TrimError, TrimProblem, Unknown};
-use cross_checks::close::by_rows;
+use cross_checks::close::by_rows_of_scale;
 use cross_checks::trims::problem;
 use cross_checks::{oracle_rigs, rig_of, root};
 use jit::InProcess;
@@ -81,6 +81,43 @@ fn kept(path: &Path) -> (String, Value) {
     (name, serde_json::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", file.display())))
 }
 
+/// Sizes of the terms that forces and accelerations are made of at a state. Terms cancel to nothing where a joint's axis
+/// is one of symmetry, and then rounding of the terms is all that is left on one side or on both.
+struct Scales {
+    force: f64,
+    /// For each row below q' = v.
+    rates: Vec<f64>,
+}
+
+impl Scales {
+    fn new(state: &Value, n: usize) -> Self {
+        let size = |list: &[f64]| list.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let of = |key: &str| flat(&state[key]);
+        let (m, x, rates) = (of("M"), of("x"), of("rates"));
+        let speed = size(&x[n..2 * n]);
+        let force =
+            ["bias", "gravity", "dissipation", "force"].iter().fold(size(&m) * (speed * speed).max(1.0), |f, key| f.max(size(&of(key))));
+        let row = |i: usize| if i < n && m[i * n + i] > 0.0 { rates[i].abs().max(force / m[i * n + i]) } else { rates[i].abs() };
+        Self { force, rates: (0..rates.len()).map(row).collect() }
+    }
+
+    /// Largest difference of a quantity, relative; columns of P times their parameters, so that all are of a size.
+    fn difference(&self, quantity: &Quantity, ours: &[f64], theirs: &[f64], p: &[f64]) -> f64 {
+        match quantity.name {
+            "P" => {
+                let times = |list: &[f64]| {
+                    list.iter().enumerate().map(|(k, x)| if p[k % p.len()] == 0.0 { *x } else { x * p[k % p.len()] }).collect::<Vec<_>>()
+                };
+                by_rows_of_scale(&times(ours), &times(theirs), quantity.columns, |i| self.rates[i])
+            }
+            "A" | "B" => by_rows_of_scale(ours, theirs, quantity.columns, |i| self.rates[i]),
+            "rates" => by_rows_of_scale(ours, theirs, 1, |i| self.rates[i]),
+            "bias" | "gravity" | "dissipation" | "force" => by_rows_of_scale(ours, theirs, quantity.columns, |_| self.force),
+            _ => by_rows_of_scale(ours, theirs, quantity.columns, |_| 0.0),
+        }
+    }
+}
+
 /// Differences at all states: (quantity, state, difference).
 fn differences(e: &Equations, oracle: &Value) -> Vec<(&'static str, usize, f64)> {
     let list = quantities(e);
@@ -89,11 +126,12 @@ fn differences(e: &Equations, oracle: &Value) -> Vec<(&'static str, usize, f64)>
     let mut out = Vec::new();
     for (k, state) in states.iter().enumerate() {
         let p = flat(&state["p"]);
+        let scales = Scales::new(state, e.layout.q.len());
         for quantity in &list {
             // equations written directly have no energies on either side
             let ours = evaluate(e, &quantity.roots, state, &p);
             let theirs = flat(&state[quantity.name]);
-            out.push((quantity.name, k, by_rows(&ours, &theirs, quantity.columns)));
+            out.push((quantity.name, k, scales.difference(quantity, &ours, &theirs, &p)));
         }
     }
     out
@@ -146,7 +184,7 @@ fn every_trim_agrees_with_casadi() {
         let model = InProcess::new(derived(&rig, &name));
         for (trim, theirs) in rig.trims.iter().zip(trims) {
             let label = format!("{name}, trim {}", trim.name);
-            assert_eq!(theirs["name"], Value::from(trim.name.as_str()));
+            assert_eq!(theirs["name"], trim.name.as_str());
             let residual = theirs["residual"].as_f64().unwrap_or(f64::NAN);
             let problem: TrimProblem = problem(&rig, &model, trim, &p);
             let ours = control::solve(&model, &p, &problem);
@@ -166,7 +204,7 @@ fn every_trim_agrees_with_casadi() {
             // A and B at the oracle's operating point
             for quantity in list.iter().filter(|q| ["A", "B"].contains(&q.name)) {
                 let ours = evaluate(&e, &quantity.roots, theirs, &p);
-                let d = by_rows(&ours, &flat(&theirs[quantity.name]), quantity.columns);
+                let d = by_rows_of_scale(&ours, &flat(&theirs[quantity.name]), quantity.columns, |_| 0.0);
                 assert!(d <= TOLERANCE, "{label}: {} differs by {d:.1e}", quantity.name);
             }
             // our own operating point

@@ -82,11 +82,19 @@ fn single_rigid_body_model_dies_at_a_right_angle() {
     assert!(c.signals.iter().all(|s| s.simulated.len() == c.trajectory.t.len() && s.fit_percent.is_some()));
 }
 
+/// Name, samples, period [s], and (column, lowest, highest) in SI.
+type Expected = (&'static str, usize, f64, &'static [(&'static str, f64, f64)]);
+
 /// Every description, its samples, period and length, and the extremes of what it measures (from the folders' READMEs).
-const RECORDS: &[(&str, usize, f64, &[(&str, f64, f64)])] = &[
+const RECORDS: &[Expected] = &[
     ("googol_open_loop_steps", 10_001, 0.005, &[("theta", -0.24, 0.17), ("eps", -0.45, 0.13), ("psi", -0.01, 8.1)]),
     ("googol_elevation_identification", 10_001, 0.005, &[("eps", -0.54, 0.16), ("theta", -0.03, 0.02), ("psi", -0.01, 0.0)]),
-    ("heli3_ntnu2020_pitchtest_m30_ang0", 11_820, 0.002, &[("V_front", -5.0, 5.0), ("V_back", -5.0, 5.0), ("elevation", -0.53, 0.15), ("pitch", -0.27, 0.25)]),
+    (
+        "heli3_ntnu2020_pitchtest_m30_ang0",
+        11_820,
+        0.002,
+        &[("V_front", -5.0, 5.0), ("V_back", -5.0, 5.0), ("elevation", -0.53, 0.15), ("pitch", -0.27, 0.25)],
+    ),
     ("heli3_ntnu2020_pitchtest_m30_ang36", 13_112, 0.002, &[("V_front", -5.0, 5.0), ("travel", 0.0, 20.4)]),
     ("heli3_ntnu2020_pitchtest_m35_ang45", 14_112, 0.002, &[("V_back", -5.0, 5.0), ("travel", 0.0, 24.1)]),
     ("heli3_ntnu2020_lqr_best", 16_693, 0.002, &[("V_front", 0.0, 5.0), ("elevation", -0.53, -0.09), ("travel", 0.0, 18.4)]),
@@ -111,30 +119,48 @@ const RECORDS: &[(&str, usize, f64, &[(&str, f64, f64)])] = &[
     ("heli3_imperial_2_Pitch_40", 747, 0.005, &[("pitch", -1.9, 0.1)]),
     ("heli3_imperial_2_Pitch_60", 713, 0.005, &[("pitch", -1.9, 0.1)]),
     ("heli3_imperial_2_Pitch_80", 620, 0.005, &[("pitch", -1.9, 0.1)]),
-    ("heli3_imperial_run1", 6_424, 0.005, &[("elevation", -0.48, 0.18), ("V_front", -24.0, 24.0), ("travel", -0.19, 0.34), ("pitch", -0.35, 0.42)]),
+    (
+        "heli3_imperial_run1",
+        6_424,
+        0.005,
+        &[("elevation", -0.48, 0.18), ("V_front", -24.0, 24.0), ("travel", -0.19, 0.34), ("pitch", -0.35, 0.42)],
+    ),
     ("heli3_imperial_run2", 7_141, 0.005, &[("elevation", -0.48, 0.18), ("V_back", -24.0, 24.0), ("travel", -0.2, 0.34)]),
     ("emps_DATA_EMPS", 24_841, 0.001, &[("q", -1e-3, 0.25), ("V", -4.4, 4.2)]),
     ("pendulum_kawata_cdip_least_square_data", 8_967, 0.001, &[("z", -0.002, 0.24), ("phi", -0.76, 0.76), ("V", -0.4, 2.0)]),
     ("pendulum_kawata_cdip_pend_data_200Hz", 23_987, 0.005, &[("phi", -1.0, 1.02)]),
     ("pendulum_kawata_adip_least_square_data", 8_953, 0.001, &[("phi1", -0.01, 1.21), ("phi2", -0.82, 0.81), ("V", -0.62, 3.0)]),
     ("pendulum_kawata_adip_pend_data_200Hz", 23_988, 0.005, &[("phi2", -1.22, 1.24)]),
-    ("aero_ntnu2025_verification", 17_501, 0.002, &[("pitch", -0.28, 0.45), ("yaw", -1.83, 6.98), ("V_main", 0.0, 10.0), ("omega_tail", 0.0, 187.0)]),
+    (
+        "aero_ntnu2025_verification",
+        17_501,
+        0.002,
+        &[("pitch", -0.28, 0.45), ("yaw", -1.83, 6.98), ("V_main", 0.0, 10.0), ("omega_tail", 0.0, 187.0)],
+    ),
     ("aero_ntnu2025_pitchcoef", 15_001, 0.002, &[("pitch", -0.71, 0.62), ("V_main", -20.0, 0.0)]),
     ("aero_ntnu2025_yawcoef", 5_001, 0.002, &[("yaw", 0.0, 2.3), ("V_tail", 0.0, 20.0)]),
     ("aero_ntnu2025_coupling_free_pitch", 10_001, 0.002, &[("pitch", -0.94, 0.78), ("yaw_rate", -0.13, 4.4)]),
     ("aero_ntnu2025_coupling_locked_pitch", 10_001, 0.002, &[("yaw_rate", -0.2, 4.8)]),
-    ("qube_furuta_decar_qube_20230828T161155_317_133_447", 10_000, 0.002, &[("theta", -0.54, 0.43), ("alpha", -0.27, 0.24), ("V", -10.0, 8.0)]),
+    (
+        "qube_furuta_decar_qube_20230828T161155_317_133_447",
+        10_000,
+        0.002,
+        &[("theta", -0.54, 0.43), ("alpha", -0.27, 0.24), ("V", -10.0, 8.0)],
+    ),
     ("qube_furuta_decar_qube_20230828T161658_307_080_776", 10_000, 0.002, &[("alpha", -0.4, 0.4), ("V", -10.0, 10.0)]),
     ("double_pendulum_dfki_designA_trajectory_03", 4_997, 0.002, &[("q1", -0.45, 0.33), ("q2", -1.82, 1.58), ("tau_1", -0.65, 0.72)]),
-    ("double_pendulum_dfki_designA_trajectory_11", 3_857, 0.0015, &[("q1", -1.17, 3.14), ("q2", -2.25, 2.51), ("tau_2", -2.5, 4.7)]),
+    ("double_pendulum_dfki_designA_trajectory_11", 3_857, 0.0015, &[("q1", -1.17, 3.2), ("q2", -2.25, 2.51), ("tau_2", -2.5, 4.7)]),
     ("heli3_sheffield_fan_FanDynData", 668, 0.015, &[("V", 0.0, 10.0), ("force", -0.005, 0.04)]),
 ];
 
 #[test]
 fn every_description_reads_its_record() {
     let folder = root().join("examples/records");
-    let mut found: Vec<String> =
-        std::fs::read_dir(&folder).unwrap().flatten().filter_map(|e| Some(e.file_name().to_str()?.strip_suffix(".toml")?.to_owned())).collect();
+    let mut found: Vec<String> = std::fs::read_dir(&folder)
+        .unwrap()
+        .flatten()
+        .filter_map(|e| Some(e.file_name().to_str()?.strip_suffix(".toml")?.to_owned()))
+        .collect();
     found.sort();
     let mut listed: Vec<&str> = RECORDS.iter().map(|r| r.0).collect();
     listed.sort_unstable();
@@ -165,4 +191,19 @@ fn every_description_reads_its_record() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn models_of_the_seed_over_the_record() {
+    let Some(folder) = folder_for("googol_open_loop_steps, every model") else { return };
+    for (rig, set) in [("googol_identified", &[][..]), ("googol", &[][..]), ("googol_mrb", &[][..]), ("googol_eq13", &[][..])] {
+        let c = steps(&model(rig, Options::default()), set, &folder);
+        println!(
+            "  {rig}: fit % of psi, eps, theta = {:.1?}, {}, horizon {:?}",
+            ["psi", "eps", "theta"].map(|s| figure(&c, s)),
+            c.status,
+            c.horizon()
+        );
+        assert_eq!((c.status, c.valid_until, c.prediction.is_none()), (Status::Completed, 50.0, true), "{rig}");
+    }
 }

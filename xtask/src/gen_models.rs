@@ -47,6 +47,7 @@ fn models(root: &Path) -> Result<BTreeMap<PathBuf, String>, String> {
     rigs.sort();
     let mut files = BTreeMap::new();
     let mut modules = Vec::new();
+    let mut calls = crate::named_calls::start();
     for path in rigs {
         let Some(stem) = path.file_stem().and_then(|s| s.to_str()) else {
             return Err(format!("{}: a module cannot have this name", path.display()));
@@ -61,9 +62,11 @@ fn models(root: &Path) -> Result<BTreeMap<PathBuf, String>, String> {
         let c = codegen::emit::c(&equations, &source);
         files.insert(PathBuf::from("generated/c").join(&c.header_name), c.header);
         files.insert(PathBuf::from("generated/c").join(&c.source_name), c.source);
-        modules.push((stem.to_owned(), title));
+        crate::named_calls::write(&mut calls, stem, &equations);
+        modules.push((stem.to_owned(), title, codegen::emit::rust_model_name(&equations)));
     }
     files.insert(PathBuf::from("generated/src/lib.rs"), library(&modules));
+    files.insert(PathBuf::from("tests/src/named.rs"), crate::named_calls::finish(calls, modules.iter().map(|m| m.0.as_str())));
     Ok(files)
 }
 
@@ -77,7 +80,7 @@ fn derive(path: &Path) -> Result<codegen::Equations, String> {
 }
 
 /// The crate's root: one module a rig.
-fn library(modules: &[(String, String)]) -> String {
+fn library(modules: &[(String, String, String)]) -> String {
     let mut out = String::from(
         "//! Checked-in models of the example rigs, one module a rig.\n\
          //! Generated from `examples/rigs` by `cargo xtask gen`; edit the rigs, not these files.\n//!\n\
@@ -85,9 +88,18 @@ fn library(modules: &[(String, String)]) -> String {
          //! name that implements `runtime::Model`. Without the feature `std` it needs `core` alone.\n\
          #![no_std]\n#![forbid(unsafe_code)]\n",
     );
-    for (name, title) in modules {
-        let _ = write!(out, "\n/// {title}.\npub mod {name};\n");
+    for (module, title, _) in modules {
+        let _ = write!(out, "\n/// {title}.\npub mod {module};\n");
     }
+    let _ = write!(
+        out,
+        "\n/// All models, by the names of their rigs' files.\npub const MODELS: [(&str, &dyn runtime::Model); {}] = [\n",
+        modules.len()
+    );
+    for (module, _, model) in modules {
+        let _ = writeln!(out, "    ({module:?}, &{module}::{model}),");
+    }
+    out.push_str("];\n");
     out
 }
 

@@ -2,6 +2,7 @@
 //! One file a task; each says what it did, or what is wrong and how to mend it.
 
 mod gen_models;
+mod named_calls;
 mod oracle;
 mod witness;
 

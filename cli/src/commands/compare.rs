@@ -6,7 +6,7 @@ use crate::load::{self, Loaded};
 use crate::output::{Answer, number};
 use crate::point::Given;
 use codegen::Options;
-use ident::compare::{CompareOptions, Comparison, compare};
+use ident::compare::{CompareOptions, Comparison, Figure, compare};
 use ident::record;
 use jit::InProcess;
 use runtime::Model;
@@ -53,7 +53,8 @@ pub fn run(args: &Compare) -> Result<Answer, Failure> {
 }
 
 fn document(file: &str, name: &str, run: &Comparison, states: &[String]) -> Value {
-    let each = |f: &dyn Fn(&ident::compare::SignalFit) -> Value| run.signals.iter().map(|s| (s.name.clone(), f(s))).collect::<Map<_, _>>();
+    let figures = run.figures();
+    let each = |f: &dyn Fn(&Figure) -> Value| figures.iter().map(|s| (s.name.clone(), f(s))).collect::<Map<_, _>>();
     json!({
         "file": file,
         "rig": name,
@@ -62,7 +63,8 @@ fn document(file: &str, name: &str, run: &Comparison, states: &[String]) -> Valu
         "status": run.status.id(),
         "status_text": run.status.to_string(),
         "valid_until": run.valid_until,
-        "horizon": null,
+        "horizon": run.horizon(),
+        "hold": each(&|s| json!(s.hold)),
         "initial_state": states.iter().cloned().zip(run.initial.iter().map(|x| json!(x))).collect::<Map<_, _>>(),
     })
 }
@@ -70,9 +72,10 @@ fn document(file: &str, name: &str, run: &Comparison, states: &[String]) -> Valu
 /// Rows: rigs; columns: fit of each measured signal.
 fn table(runs: &[(String, String, Comparison, Vec<String>)]) -> String {
     let mut signals: Vec<&str> = Vec::new();
-    for signal in runs.iter().flat_map(|r| &r.2.signals) {
-        if !signals.contains(&signal.name.as_str()) {
-            signals.push(&signal.name);
+    let figures: Vec<Vec<Figure>> = runs.iter().map(|r| r.2.figures()).collect();
+    for figure in figures.iter().flatten() {
+        if !signals.contains(&figure.name.as_str()) {
+            signals.push(&figure.name);
         }
     }
     let width = runs.iter().map(|r| r.0.chars().count()).max().unwrap_or(0).max(3);
@@ -81,20 +84,31 @@ fn table(runs: &[(String, String, Comparison, Vec<String>)]) -> String {
         let _ = write!(text, "  {s:>10}");
     }
     text.push('\n');
-    for (file, _, run, _) in runs {
+    for ((file, _, run, _), figures) in runs.iter().zip(&figures) {
         let _ = write!(text, "{file:width$}");
         for name in &signals {
-            let cell = match run.signals.iter().find(|s| s.name == *name).map(|s| s.fit_percent) {
+            let cell = match figures.iter().find(|s| s.name == *name).map(|s| s.fit_percent) {
                 Some(Some(fit)) => format!("{fit:.1} %"),
                 Some(None) => "constant".to_owned(),
                 None => "-".to_owned(),
             };
             let _ = write!(text, "  {cell:>10}");
         }
+        if let Some(h) = run.horizon() {
+            let _ = write!(text, "   {} s ahead: the free run would only show how unstable the rig is", number(h));
+        }
         if run.status != sim::Status::Completed {
             let _ = write!(text, "   up to {} s: {}", number(run.valid_until), run.status);
         }
         text.push('\n');
+        if figures.iter().any(|s| s.hold.is_some()) {
+            let _ = write!(text, "{:width$}", "  rates held constant");
+            for name in &signals {
+                let hold = figures.iter().find(|s| s.name == *name).and_then(|s| s.hold);
+                let _ = write!(text, "  {:>10}", hold.map_or_else(|| "-".to_owned(), |h| format!("{h:.1} %")));
+            }
+            text.push('\n');
+        }
     }
     text
 }

@@ -34,9 +34,10 @@ pub fn run(args: &Eval) -> Result<Answer, Failure> {
         let columns = rows.first().map_or(0, Vec::len).max(1);
         values.chunks(columns).map(<[f64]>::to_vec).collect::<Vec<_>>()
     };
-    for (k, pivot) in vector(&equations.pivots).into_iter().enumerate() {
+    let (coordinates, pivots): (Vec<usize>, Vec<Id>) = equations.pivots_as_eliminated().into_iter().unzip();
+    for (k, pivot) in coordinates.into_iter().zip(vector(&pivots)) {
         if !pivot.is_finite() || pivot <= 0.0 {
-            let name = &layout.q[equations.free[k]].name;
+            let name = &layout.q[k].name;
             return Err(crate::operating::singular(name));
         }
     }

@@ -70,8 +70,8 @@ pub fn at_point(loaded: &Loaded, model: &InProcess, point: &Point, directions: &
     let linear = |slope: bool| {
         control::linearize(model, p, x, directions, |dx, a, b| if slope { model.linearize(0.0, x, u, p, dx, a, b) } else { model.linearize_without_friction_slope(0.0, x, u, p, dx, a, b) })
             .map_err(|e| match e {
-                LinearizeError::Singular(s) => operating::singular(&layout.q[s.coordinate].name),
-                LinearizeError::NotFinite => Failure::new("C0305", e.to_string()).with_help("choose another state with --at: the rig's equations have no slope here"),
+                LinearizeError::Singular { coordinate } => operating::singular(&coordinate),
+                LinearizeError::Directions { .. } | LinearizeError::NotFinite => Failure::new("C0305", e.to_string()).with_help("choose another state with --at: the rig's equations have no slope here"),
             })
     };
     let (kept, other) = (linear(friction_slope)?, linear(true)?);

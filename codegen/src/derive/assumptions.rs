@@ -143,7 +143,7 @@ impl Context<'_> {
         let rest = vec![[zero; 3]; self.tree.links.len()];
         let fall = stored::free_fall(self.rig, self.lowering, g);
         let wrenches = inertial_wrenches(&self.tree, g, &inertia, &rest, &still, &still, fall);
-        project(&self.tree, g, &wrenches)
+        project(&self.tree, g, &wrenches, "_kept")
     }
 
     fn dissipation(&self, g: &mut Graph, parts: &mut Parts) {

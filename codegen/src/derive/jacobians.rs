@@ -1,4 +1,4 @@
-//! Forward dynamics by L D L^T, and every Jacobian by the implicit formula
+//! Forward dynamics by L^T D L, and every Jacobian by the implicit formula
 //! d a / d x = -M^-1 d(ID)/dx, ID = M a + bias + dissipation - Q, reusing the factor.
 
 use super::parts::Parts;
@@ -24,7 +24,7 @@ pub fn complete(
     let free: Vec<usize> = (0..n).filter(|&i| !rig.coordinates[i].prescribed).collect();
     let names: Vec<String> = free.iter().map(|&i| rig.coordinates[i].name.clone()).collect();
 
-    for (what, values) in [("h", &parts.bias), ("g", &parts.gravity), ("d", &parts.dissipation), ("Q", &parts.force)] {
+    for (what, values) in [("g", &parts.gravity), ("h", &parts.bias), ("d", &parts.dissipation), ("Q", &parts.force)] {
         for (c, &value) in rig.coordinates.iter().zip(values) {
             g.label(value, format!("{what}_{}", c.name));
         }
@@ -44,8 +44,7 @@ pub fn complete(
     for (name, &r) in names.iter().zip(&right) {
         g.label(r, format!("tau_{name}"));
     }
-    let symmetric = rig.equations.is_empty() || (0..m.len()).all(|i| (0..i).all(|j| m[i][j] == m[j][i]));
-    let factored = factor(g, &m, &names, symmetric);
+    let factored = factor(g, &m, &names);
     let solved = factored.solve(g, &right);
     let mut acceleration = given;
     for (&i, &a) in free.iter().zip(&solved) {

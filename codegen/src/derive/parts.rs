@@ -55,7 +55,7 @@ impl BodyRoad {
         let omega = angular_velocities(&self.tree, g, lowering.rates());
         let inertial = inertial_wrenches(&self.tree, g, &self.inertia, &omega, lowering.rates(), acceleration, fall);
         let net: Vec<Wrench> = inertial.iter().zip(&self.applied).map(|(i, a)| i.minus(g, a)).collect();
-        let mut tau = project(&self.tree, g, &net);
+        let mut tau = project(&self.tree, g, &net, "_net");
         for (i, value) in tau.iter_mut().enumerate() {
             *value = g.sub(*value, self.applied_on_coordinates[i]);
             *value = g.add(*value, self.functions.coriolis[i]);
@@ -102,11 +102,11 @@ pub fn assemble(rig: &Rig, lowering: &Lowering, g: &mut Graph, _assumptions: boo
     let rest: Vec<_> = omega.iter().map(|_| nothing).collect();
 
     let moving = inertial_wrenches(&tree, g, &inertia, &omega, lowering.rates(), &still, nothing);
-    let mut coriolis = project(&tree, g, &moving);
+    let mut coriolis = project(&tree, g, &moving, "_moving");
     let hanging = inertial_wrenches(&tree, g, &inertia, &rest, &still, &still, fall);
-    let mut gravity = project(&tree, g, &hanging);
+    let mut gravity = project(&tree, g, &hanging, "_weight");
     let both = inertial_wrenches(&tree, g, &inertia, &omega, lowering.rates(), &still, fall);
-    let mut bias = project(&tree, g, &both);
+    let mut bias = project(&tree, g, &both, "");
 
     let mut m = mass_matrix(&tree, g, &inertia);
     let function_energy = stored::kinetic_functions(rig, lowering, g, |_| true);

@@ -9,6 +9,8 @@ use super::shorten::{self, Known, MixAtoms};
 use super::text::text;
 use super::tree::Tree;
 use crate::expr::{F1, F2};
+use rustc_hash::FxHashMap;
+use std::cell::RefCell;
 
 /// What a rig lets one recognize.
 #[derive(Default)]
@@ -19,6 +21,15 @@ pub struct Knowledge {
     pub mixes: Vec<MixAtoms>,
     /// Sums that stand as factors: stretches, differences of rates.
     pub factors: Vec<Known>,
+    /// Atoms that were written before.
+    trees: RefCell<FxHashMap<AtomId, Tree>>,
+}
+
+impl Knowledge {
+    /// Lumps, mixed inputs, factors.
+    pub fn new(lumps: Vec<Known>, mixes: Vec<MixAtoms>, factors: Vec<Known>) -> Self {
+        Self { lumps, mixes, factors, trees: RefCell::default() }
+    }
 }
 
 /// A term: coefficient and product.
@@ -273,6 +284,15 @@ pub fn product(forms: &mut Forms, knowledge: &Knowledge, m: &Monomial, k: Number
 }
 
 fn atom_tree(forms: &mut Forms, knowledge: &Knowledge, atom: AtomId) -> Tree {
+    if let Some(tree) = knowledge.trees.borrow().get(&atom) {
+        return tree.clone();
+    }
+    let tree = new_atom_tree(forms, knowledge, atom);
+    knowledge.trees.borrow_mut().insert(atom, tree.clone());
+    tree
+}
+
+fn new_atom_tree(forms: &mut Forms, knowledge: &Knowledge, atom: AtomId) -> Tree {
     match forms.atom(atom).clone() {
         Atom::Name(i) => Tree::Name(forms.name(i).0.to_owned()),
         Atom::Call(f, x) => Tree::Call(name1(f), vec![argument(forms, knowledge, &x)]),

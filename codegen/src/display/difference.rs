@@ -34,6 +34,8 @@ pub struct Diff {
     pub at: String,
     /// Kinds of quantities that the second model lacks altogether.
     dropped: Vec<Kind>,
+    /// Kinds of quantities that the first model lacks altogether.
+    new: Vec<Kind>,
 }
 
 /// One term.
@@ -130,7 +132,7 @@ pub fn diff(first: (&Rig, &Equations), second: (&Rig, &Equations)) -> Diff {
             mixed.push(mix);
         }
     }
-    let knowledge = Knowledge { mixes: mixed, ..Knowledge::default() };
+    let knowledge = Knowledge::new(Vec::new(), mixed, Vec::new());
     let states = [State::new(first.0, first.1), State::new(second.0, second.1)];
     let mut comparison = Comparison {
         forms,
@@ -148,8 +150,18 @@ pub fn diff(first: (&Rig, &Equations), second: (&Rig, &Equations)) -> Diff {
     for kind in Kind::ALL {
         let mut of_kind = quantities.iter().filter(|q| q.kind == kind).peekable();
         let zero = |e: &Equations, ids: &[Id]| ids.iter().all(|&id| e.graph.is_zero(id));
-        if of_kind.peek().is_some() && of_kind.all(|q| zero(second.1, &q.second)) && diff.removed.iter().any(|t| t.kind == kind) {
+        if of_kind.peek().is_none() {
+            continue;
+        }
+        let (mut dropped, mut new) = (true, true);
+        for q in of_kind {
+            dropped &= zero(second.1, &q.second);
+            new &= zero(first.1, &q.first);
+        }
+        if dropped {
             diff.dropped.push(kind);
+        } else if new {
+            diff.new.push(kind);
         }
     }
     if [&diff.added, &diff.removed, &diff.changed].iter().any(|list| !list.is_empty()) {
@@ -596,10 +608,12 @@ impl fmt::Display for Diff {
                 continue;
             }
             writeln!(f, "{}", kind.title())?;
-            if self.dropped.contains(&kind) && of_kind.len() > 3 {
+            let whole =
+                [(&self.dropped, '-', "dropped"), (&self.new, '+', "new")].into_iter().find(|w| w.0.contains(&kind) && of_kind.len() > 3);
+            if let Some((_, sign, what)) = whole {
                 let largest = of_kind.iter().max_by(|a, b| a.1.magnitude.0.total_cmp(&b.1.magnitude.0).then(b.1.term.cmp(&a.1.term)));
                 if let Some((_, t)) = largest {
-                    writeln!(f, "  - all {} terms dropped; the largest, in {}:", of_kind.len(), row_of(t))?;
+                    writeln!(f, "  {sign} all {} terms {what}; the largest, in {}:", of_kind.len(), row_of(t))?;
                     folded(f, "      ", &t.term, &t.size)?;
                 }
                 continue;

@@ -116,11 +116,9 @@ fn too_long(form: Option<&Sum>) -> bool {
 
 /// What can be recognized in the equations of a rig.
 pub fn knowledge(rig: &Rig, e: &Equations, reader: &mut Reader, forms: &mut Forms, roots: &[Id]) -> Knowledge {
-    Knowledge {
-        lumps: if e.lumps == Lumps::AsParameters { lumps(rig, forms) } else { Vec::new() },
-        mixes: mixes(rig, forms),
-        factors: factors(e, reader, forms, roots),
-    }
+    let lumps = if e.lumps == Lumps::AsParameters { lumps(rig, forms) } else { Vec::new() };
+    let factors = factors(e, reader, forms, roots);
+    Knowledge::new(lumps, mixes(rig, forms), factors)
 }
 
 /// Lumps without a value of their own, longest first.

@@ -100,8 +100,9 @@ impl Monomial {
         loop {
             match (a.peek(), b.peek()) {
                 (Some(&&(x, m)), Some(&&(y, n))) if x == y => {
-                    if m + n != 0 {
-                        out.push((x, m + n));
+                    let sum = m.saturating_add(n);
+                    if sum != 0 {
+                        out.push((x, sum));
                     }
                     a.next();
                     b.next();
@@ -125,7 +126,7 @@ impl Monomial {
 
     /// To an integer power.
     pub fn powi(&self, n: i32) -> Self {
-        if n == 0 { Self::one() } else { Self(self.0.iter().map(|&(a, k)| (a, k * n)).collect()) }
+        if n == 0 { Self::one() } else { Self(self.0.iter().map(|&(a, k)| (a, k.saturating_mul(n))).collect()) }
     }
 
     /// self / other, where no power changes its sign: other divides self.
@@ -248,17 +249,20 @@ pub struct Forms {
     names: IndexSet<(String, Class), FxBuildHasher>,
     atoms: IndexSet<Atom, FxBuildHasher>,
     depends: Vec<Depends>,
+    weights: Vec<u64>,
     /// Products of terms that may still be formed before forms are given up.
     pub work: u64,
 }
 
+/// Largest weight that a form may have: functions of functions of sums grow as fast as products do.
+pub const MOST_WEIGHT: u64 = 8000;
 /// Largest number of terms that a form may have.
 pub const MOST_TERMS: usize = 800;
 
 impl Forms {
     /// Empty table.
     pub fn new() -> Self {
-        Self { names: IndexSet::default(), atoms: IndexSet::default(), depends: Vec::new(), work: 600_000 }
+        Self { names: IndexSet::default(), atoms: IndexSet::default(), depends: Vec::new(), weights: Vec::new(), work: 600_000 }
     }
 
     /// A name's text and class.
@@ -283,6 +287,13 @@ impl Forms {
         let (index, new) = self.atoms.insert_full(atom);
         if new {
             self.depends.push(depends);
+            let inner = match &self.atoms[index] {
+                Atom::Name(_) => 0,
+                Atom::Call(_, x) | Atom::Sum(x) => self.weight(x),
+                Atom::Call2(_, x, y) => self.weight(x).saturating_add(self.weight(y)),
+                Atom::Saturate(x, lo, hi) => self.weight(x).saturating_add(self.weight(lo)).saturating_add(self.weight(hi)),
+            };
+            self.weights.push(inner.saturating_add(1));
         }
         index as AtomId
     }
@@ -295,6 +306,11 @@ impl Forms {
     /// What the atom depends on.
     pub fn depends(&self, id: AtomId) -> Depends {
         self.depends[id as usize]
+    }
+
+    /// Number of names and functions that a form has when it is written out.
+    pub fn weight(&self, sum: &Sum) -> u64 {
+        sum.0.iter().flat_map(|t| &t.0.0).fold(0, |w, f| w.saturating_add(self.weights[f.0 as usize]))
     }
 
     /// What a form depends on.

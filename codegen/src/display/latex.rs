@@ -112,14 +112,14 @@ fn number(x: Number) -> String {
 
 /// `eps.dot` is \dot{\epsilon}, `l_oc` is l_{oc}, `m_prime` is m', `c0_psi` is c_{0,\psi}, `f_1.lag` is f_{1,\mathrm{lag}}.
 pub fn name_latex(name: &str) -> String {
-    let (name, accent, tail) = if let Some(base) = name.strip_suffix(".ddot") {
-        (base, Some("ddot"), "")
-    } else if let Some(base) = name.strip_suffix(".dot") {
-        (base, Some("dot"), "")
-    } else if let Some(base) = name.strip_suffix(".lag") {
-        (base, None, "lag")
-    } else {
-        (name, None, "")
+    let (name, accent) = match (name.strip_suffix(".ddot"), name.strip_suffix(".dot")) {
+        (Some(base), _) => (base, Some("ddot")),
+        (None, Some(base)) => (base, Some("dot")),
+        (None, None) => (name, None),
+    };
+    let (name, tail) = match name.strip_suffix(".lag") {
+        Some(base) => (base, "lag"),
+        None => (name, ""),
     };
     let (name, prime) = match name.strip_suffix("_prime") {
         Some(base) if !base.is_empty() => (base, true),

@@ -4,7 +4,7 @@
 //! graph's own labelled values (`omega_arm_y`) as names with definitions beside them, and always ends.
 //! Functions of long arguments (the length of a spring between two points) may be named in both.
 
-use super::form::{AtomId, Class, Depends, Forms, MOST_TERMS, Monomial, Sum};
+use super::form::{AtomId, Class, Depends, Forms, MOST_TERMS, MOST_WEIGHT, Monomial, Sum};
 use super::number::Number;
 use crate::expr::{F1, Graph, Id, Node, SymbolId, SymbolKind};
 use model_dsl::rig::Rig;
@@ -14,6 +14,8 @@ use std::rc::Rc;
 
 /// Terms of a function's argument, above which the function's value is given a name.
 const LONG_ARGUMENT: usize = 5;
+/// Names and functions in an argument, above which the same is done.
+const HEAVY_ARGUMENT: u64 = 40;
 /// Terms of a value without a label, above which it is given a name of its own.
 const LONG_PART: usize = 6;
 
@@ -122,7 +124,8 @@ impl<'a> Reader<'a> {
                 let memo = std::mem::take(&mut self.memo);
                 let value = self.value(forms, id, &|x| memo.get(&x).cloned().flatten());
                 self.memo = memo;
-                self.memo.insert(id, value.filter(|s| s.len() <= MOST_TERMS).map(Rc::new));
+                let fits = |s: &Sum| s.len() <= MOST_TERMS && forms.weight(s) <= MOST_WEIGHT;
+                self.memo.insert(id, value.filter(fits).map(Rc::new));
             }
         }
         roots.iter().map(|id| self.memo[id].clone()).collect()
@@ -166,8 +169,8 @@ impl<'a> Reader<'a> {
     }
 
     /// A function's value, named where its argument is long.
-    fn call(&mut self, forms: &mut Forms, id: Id, atom: AtomId, longest: usize) -> Sum {
-        if !self.names_parts || longest <= LONG_ARGUMENT {
+    fn call(&mut self, forms: &mut Forms, id: Id, atom: AtomId, long: bool) -> Sum {
+        if !self.names_parts || !long {
             return Sum::atom(atom);
         }
         if let Some(&part) = self.named_calls.get(&atom) {
@@ -217,15 +220,15 @@ impl<'a> Reader<'a> {
             Node::Powi(a, n) => forms.powi(&*of(a)?, n)?,
             Node::Call(f, a) => {
                 let x = of(a)?.as_ref().clone();
-                let longest = x.len();
+                let long = x.len() > LONG_ARGUMENT || forms.weight(&x) > HEAVY_ARGUMENT;
                 let atom = forms.call(f, x);
-                self.call(forms, id, atom, longest)
+                self.call(forms, id, atom, long)
             }
             Node::Call2(f, a, b) => {
                 let (x, y) = (of(a)?.as_ref().clone(), of(b)?.as_ref().clone());
-                let longest = x.len().max(y.len());
+                let long = x.len().max(y.len()) > LONG_ARGUMENT || forms.weight(&x).max(forms.weight(&y)) > HEAVY_ARGUMENT;
                 let atom = forms.call2(f, x, y);
-                self.call(forms, id, atom, longest)
+                self.call(forms, id, atom, long)
             }
         })
     }

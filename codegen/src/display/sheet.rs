@@ -65,12 +65,11 @@ pub fn sheet(rig: &Rig, e: &Equations) -> Sheet {
         }
         let spelled = spelled_out(&entries.mass_matrix[i]);
         let mut left = Vec::new();
-        for j in 0..n {
-            let entry = &entries.mass_matrix[i][j];
+        for (j, (entry, spelled)) in entries.mass_matrix[i].iter().zip(spelled).enumerate() {
             if entry.is_zero() {
                 continue;
             }
-            let factor = if spelled[j] {
+            let factor = if spelled {
                 entry.clone()
             } else {
                 // M is symmetric unless it was written directly

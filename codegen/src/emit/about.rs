@@ -45,7 +45,7 @@ pub fn about(e: &Equations, scope: &str) -> Option<String> {
         return None;
     }
     if scope == "solve" {
-        return Some("M = L D L^T and back-substitution".to_owned());
+        return Some("M = L^T D L and back-substitution".to_owned());
     }
     if scope == "balance" {
         return Some("balance of forces".to_owned());

@@ -4,7 +4,7 @@
 use super::about::{Header, about};
 use super::form::{Form, number};
 use super::functions::{Function, Shape, Vector, entries, functions, place};
-use super::names::{Language, Names, WITHIN_C, identifier, snake};
+use super::names::{Language, CALLED_C, LETTERS, Names, RESULTS_C, identifier, snake};
 use super::plan::{Defines, Plan, Statement, plan};
 use super::rust::{base_name, field_names, unit};
 use super::split::{Import, Part, split};
@@ -56,20 +56,37 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
     for function in functions(e) {
         let prototype = prototype(&fields, &function);
         let lines = function.doc.iter().filter(|line| !line.starts_with("```"));
-        for (i, line) in lines.enumerate() {
-            let start = if i == 0 { "/*" } else { " *" };
-            let _ = writeln!(header, "{}", format!("{start} {}", in_c(line)).trim_end());
-        }
+        let mut lines: Vec<String> = lines.map(|line| in_c(line)).collect();
         if function.pivots.is_some() {
-            header.push_str(" *\n * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;\n * then the results are not written.\n");
+            lines.push(String::new());
+            lines.push("Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;".to_owned());
+            lines.push("then the results are not written.".to_owned());
         }
-        let _ = writeln!(header, " */\n{prototype};\n");
+        match lines.as_slice() {
+            [one] => {
+                let _ = writeln!(header, "/* {one} */");
+            }
+            several => {
+                header.push_str("/*\n");
+                for line in several {
+                    let _ = writeln!(header, "{}", format!(" * {line}").trim_end());
+                }
+                header.push_str(" */\n");
+            }
+        }
+        let _ = writeln!(header, "{prototype};\n");
         write_function(&mut body, e, &fields, &function, &prototype, &mut calls);
     }
     header.push_str("#ifdef __cplusplus\n}\n#endif\n\n");
     let _ = writeln!(header, "#endif /* {guard} */");
     let header_name = format!("{prefix}.h");
     let mut text = format!("{comment}#include \"{header_name}\"\n\n#include <math.h>\n\n");
+    if body.contains("NEVER_INLINE ") {
+        text.push_str(
+            "/* A compiler would inline a function that is called once, and undo the split of long functions. */\n\
+             #if defined(__GNUC__)\n#define NEVER_INLINE __attribute__((noinline))\n#else\n#define NEVER_INLINE\n#endif\n\n",
+        );
+    }
     text.push_str(&helpers(&calls));
     text.push_str(body.trim_end());
     text.push('\n');
@@ -80,7 +97,7 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
 /// with the static functions that it calls before it.
 #[must_use]
 pub fn c_function(graph: &Graph, name: &str, arguments: &[SymbolId], results: &[Id]) -> String {
-    let mut names = Names::new(Language::C, WITHIN_C);
+    let mut names = Names::new(Language::C, &[CALLED_C, &["y"]].concat());
     let given: Vec<String> = arguments.iter().map(|&s| names.take(&graph.symbol_info(s).name)).collect();
     let vocabulary = Vocabulary::new(Language::C, graph, |s, _| {
         let text = arguments.iter().position(|&a| a == s).map_or_else(|| "NAN".to_owned(), |i| given[i].clone());
@@ -91,6 +108,10 @@ pub fn c_function(graph: &Graph, name: &str, arguments: &[SymbolId], results: &[
     typed.push(format!("double y[{}]", results.len()));
     let mut out = helpers(&plan.calls);
     let _ = writeln!(out, "void {}({})\n{{", identifier(Language::C, name), typed.join(", "));
+    let read = plan.symbols();
+    for (a, _) in given.iter().zip(arguments).filter(|(_, s)| !read.contains(s)) {
+        let _ = writeln!(out, "    (void){a};");
+    }
     for statement in &plan.statements {
         write_statement(&mut out, statement);
     }
@@ -225,7 +246,13 @@ fn prototype(fields: &Fields, function: &Function) -> String {
     } else {
         "void"
     };
-    format!("{result} {}_{}({})", fields.prefix, plain_name(function), list.join(", "))
+    signature(&format!("{result} {}_{}", fields.prefix, plain_name(function)), &list)
+}
+
+/// Name and arguments, one a line where one line would be too long.
+fn signature(name: &str, list: &[String]) -> String {
+    let line = format!("{name}({})", list.join(", "));
+    if line.chars().count() < WIDTH { line } else { format!("{name}(\n    {})", list.join(",\n    ")) }
 }
 
 fn plain_name(function: &Function) -> String {
@@ -234,7 +261,7 @@ fn plain_name(function: &Function) -> String {
 
 fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &Function, prototype: &str, calls: &mut BTreeSet<&'static str>) {
     let roots = function.roots();
-    let plan = plan(&e.graph, &fields.vocabulary(e), Names::new(Language::C, WITHIN_C), &roots);
+    let plan = plan(&e.graph, &fields.vocabulary(e), Names::new(Language::C, &[LETTERS, RESULTS_C, CALLED_C].concat()), &roots);
     calls.extend(plan.calls.iter().copied());
     let name = format!("{}_{}", fields.prefix, plain_name(function));
     let (parts, rest) = split(&plan);
@@ -246,9 +273,10 @@ fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &F
             .collect();
         typed.extend(part.parts_used().iter().map(|&j| format!("const double part_{}[{}]", j + 1, part.lengths[j])));
         typed.push(format!("double part_{}[{}]", k + 1, part.exports.len()));
-        let _ = writeln!(out, "/* Part {} of {name}. */\nstatic void {name}_part_{}({})\n{{", k + 1, k + 1, typed.join(", "));
+        let head = signature(&format!("NEVER_INLINE static void {name}_part_{}", k + 1), &typed);
+        let _ = writeln!(out, "/* Part {} of {name}. */\n{head}\n{{", k + 1);
         write_imports(out, &part.imports, &plan);
-        write_statements(out, e, &plan, &part.own);
+        write_statements(out, e, &function.name, &plan, &part.own);
         for (i, value) in part.exports.iter().enumerate() {
             let _ = writeln!(out, "    part_{}[{i}] = {};", k + 1, value.name(&plan));
         }
@@ -282,7 +310,7 @@ fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &F
         let _ = writeln!(out, "    {name}_part_{}({});", k + 1, list.join(", "));
     }
     write_imports(out, &rest.imports, &plan);
-    write_statements(out, e, &plan, &rest.own);
+    write_statements(out, e, &function.name, &plan, &rest.own);
     write_results(out, fields, function, &plan);
     out.push_str("}\n\n");
 }
@@ -297,12 +325,12 @@ fn write_imports(out: &mut String, imports: &[Import], plan: &Plan) {
     }
 }
 
-fn write_statements(out: &mut String, e: &Equations, plan: &Plan, range: &std::ops::Range<usize>) {
+fn write_statements(out: &mut String, e: &Equations, within: &str, plan: &Plan, range: &std::ops::Range<usize>) {
     let mut before: Option<String> = None;
     for statement in &plan.statements[range.clone()] {
-        if !statement.is_trig {
+        if statement.needs_comment {
             let comment = about(e, &statement.scope);
-            if let Some(comment) = comment.as_ref().filter(|_| comment != before) {
+            if let Some(comment) = comment.as_ref().filter(|words| comment != before && *words != within) {
                 let _ = writeln!(out, "    /* {} */", in_c(comment));
             }
             before = comment;
@@ -328,12 +356,8 @@ fn assign(out: &mut String, left: &str, value: &Form, comment: &str) {
         let _ = writeln!(out, "{line}{comment}");
         return;
     }
-    let _ = write!(out, "    {}", left.trim_end());
-    for (i, piece) in value.pieces().iter().enumerate() {
-        let indent = if i == 0 { 8 } else { 12 };
-        let _ = write!(out, "\n{:indent$}{}", "", piece.trim_start());
-    }
-    let _ = writeln!(out, ";{comment}");
+    let lines: Vec<String> = value.pieces().iter().enumerate().map(|(i, piece)| if i == 0 { piece.clone() } else { format!("\n        {}", piece.trim_start()) }).collect();
+    let _ = writeln!(out, "    {left}{};{comment}", lines.concat());
 }
 
 /// Checks of pivots, then the results, entry by entry.
@@ -350,7 +374,7 @@ fn write_results(out: &mut String, fields: &Fields, function: &Function, plan: &
         let row = |i: usize| output.rows.get(i).map_or(String::new(), |name| format!(" /* {name} */"));
         match output.shape {
             Shape::Scalar => {
-                let _ = writeln!(out, "    return {};", values[0].text());
+                assign(out, "return ", &values[0], "");
             }
             Shape::Array(_) => {
                 for (i, value) in values.iter().enumerate() {

@@ -29,6 +29,7 @@ pub enum Vector {
 
 impl Vector {
     /// The letter that it has in equations.
+    #[must_use]
     pub fn letter(self) -> &'static str {
         match self {
             Self::Time => "t",
@@ -44,6 +45,7 @@ impl Vector {
     }
 
     /// The vector in which a symbol stands.
+    #[must_use]
     pub fn of(kind: SymbolKind) -> Self {
         match kind {
             SymbolKind::Coordinate(_) => Self::Coordinates,
@@ -57,6 +59,7 @@ impl Vector {
     }
 
     /// One of the parts of the state.
+    #[must_use]
     pub fn is_part_of_state(self) -> bool {
         matches!(self, Self::Coordinates | Self::Rates | Self::Lags)
     }
@@ -110,11 +113,12 @@ pub struct Function {
 
 impl Function {
     /// Some row over the parameters has zeros and other entries.
-    pub fn has_sparse_rows(&self, graph: &Graph) -> bool {
+    pub(super) fn has_sparse_rows(&self, graph: &Graph) -> bool {
         self.outputs.iter().any(|o| o.has_sparse_rows(graph))
     }
 
     /// All roots: results, then pivots.
+    #[must_use]
     pub fn roots(&self) -> Vec<Id> {
         let results = self.outputs.iter().flat_map(|o| o.roots.iter().copied());
         results.chain(self.pivots.iter().flatten().map(|p| p.1)).collect()
@@ -132,7 +136,8 @@ impl Output {
     }
 }
 
-/// All functions of a model, in the order in which they are written.
+/// All functions of a model, in the order in which they are written: what [`super::rust`] and [`super::c`] print.
+#[must_use]
 pub fn functions(e: &Equations) -> Vec<Function> {
     let l = &e.layout;
     let (n, m) = (l.q.len(), l.u.len());
@@ -236,12 +241,12 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         let output = Output { name: "y", doc: "y".into(), shape: Shape::Named(Vector::Outputs), roots: e.outputs.clone(), rows: Vec::new() };
         simple("outputs", vec!["Measured outputs y(x), with scale and bias, without delay and quantization.".into()], &[State, Parameters], output);
     }
-    let pivots: Vec<(usize, Id)> = e.free.iter().copied().zip(e.pivots.iter().copied()).filter(|(_, d)| e.graph.number_of(*d).is_none_or(|x| x <= 0.0)).collect();
+    let pivots: Vec<(usize, Id)> = e.pivots_as_eliminated().into_iter().filter(|(_, d)| e.graph.number_of(*d).is_none_or(|x| x <= 0.0)).collect();
     let dynamics = arguments(e, &[State, Inputs, Parameters], &e.state_derivative());
     list.push(Function {
         name: "forward_dynamics".into(),
         doc: vec![
-            "Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.".into(),
+            "Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.".into(),
             format!("{} operations.", e.forward_operations()),
         ],
         arguments: dynamics.clone(),

@@ -20,4 +20,5 @@ mod vocabulary;
 pub use c::{CSource, c, c_function};
 pub use casadi::casadi;
 pub use declared::{FORMAT as DECLARED_FORMAT, declared, declared_fingerprint};
-pub use rust::{rust, rust_function};
+pub use functions::{Function, Output, Shape, Vector, functions};
+pub use rust::{rust, rust_function, rust_model_name};

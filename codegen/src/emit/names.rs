@@ -28,16 +28,22 @@ const C: &[&str] = &[
     "INFINITY", "NULL", "M_PI", "linux", "unix", "_",
 ];
 
-/// Names within the body of a function that mean something else there.
-pub const WITHIN_RUST: &[&str] = &[
-    "t", "x", "q", "v", "a", "z", "u", "p", "sin", "cos", "sin_cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt",
+/// Arguments of a model's functions.
+pub const LETTERS: &[&str] = &["t", "x", "q", "v", "a", "z", "u", "p"];
+
+/// Functions and values that bodies of functions call by their names.
+pub const CALLED_RUST: &[&str] = &[
+    "sin", "cos", "sin_cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt",
     "abs", "sign", "step", "atan2", "min", "max", "pow", "powi", "positive", "Ok", "Err", "Some", "None",
 ];
 
-/// The same for C: arguments, results and functions.
-pub const WITHIN_C: &[&str] = &[
-    "t", "x", "q", "v", "a", "z", "u", "p", "m", "h", "c", "g", "d", "f", "r", "y", "b", "dx", "dz", "by_x", "by_p", "sin", "cos", "tan", "asin",
-    "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "fabs", "fmin", "fmax", "pow", "atan2", "sign", "step", "powi", "part_1",
+/// Results of a model's functions in C, where they are arguments.
+pub const RESULTS_C: &[&str] = &["m", "h", "c", "g", "d", "f", "s", "r", "y", "b", "dx", "dz", "by_x", "by_p"];
+
+/// The same for C.
+pub const CALLED_C: &[&str] = &[
+    "sin", "cos", "tan", "asin",
+    "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "fabs", "fmin", "fmax", "pow", "atan2", "sign", "step", "powi",
 ];
 
 /// Hands out identifiers, each once.

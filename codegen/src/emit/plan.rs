@@ -6,11 +6,11 @@ use super::form::{Form, Rank};
 use super::names::Names;
 use super::vocabulary::Vocabulary;
 use crate::expr::{F1, Graph, Id, Node, SymbolId};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Longest expression that is written without a name of its own [characters].
-const LONGEST: usize = 84;
+const LONGEST: usize = 110;
 /// Deepest parentheses.
 const DEEPEST: usize = 2;
 /// A value that the derivation named gets its name from this many operations on.
@@ -32,12 +32,19 @@ pub struct Plan {
     pub calls: BTreeSet<&'static str>,
 }
 
+impl Plan {
+    /// All symbols that statements and results read.
+    pub fn symbols(&self) -> BTreeSet<SymbolId> {
+        self.statements.iter().flat_map(|s| &s.symbols).chain(&self.result_symbols).copied().collect()
+    }
+}
+
 /// One intermediate value, or sine and cosine of one angle.
 pub struct Statement {
     /// Scope on the graph: what it is about.
     pub scope: String,
-    /// A sine or a cosine.
-    pub is_trig: bool,
+    /// Its name does not say by itself what it is about.
+    pub needs_comment: bool,
     /// What it defines.
     pub defines: Defines,
     /// Earlier statements that it uses.
@@ -113,10 +120,17 @@ impl<'a> Planner<'a> {
         for &root in roots {
             *uses.entry(root).or_default() += 1;
         }
+        let mut angles: FxHashSet<Id> = FxHashSet::default();
         for &id in order.iter().rev() {
             let own = uses.get(&id).copied().unwrap_or(0);
             // a sign moves through sums and products: who uses -a uses a
             let negative = matches!(graph.node(id), Node::Neg(_));
+            // sine and cosine of one angle are one use of it
+            if let Node::Call(F1::Sin | F1::Cos, angle) = graph.node(id)
+                && !angles.insert(angle)
+            {
+                continue;
+            }
             for operand in graph.node(id).operands().into_iter().flatten() {
                 *uses.entry(operand).or_default() += if negative { own } else { 1 };
                 *negative_uses.entry(operand).or_default() += if negative { own } else { 0 };
@@ -175,7 +189,7 @@ impl<'a> Planner<'a> {
     /// Form of an operand before names are known.
     fn estimate(&self, id: Id, forms: &FxHashMap<Id, (Form, usize)>) -> Form {
         if self.named.contains_key(&id) {
-            return Form::atom(Rank::Named, self.graph.label_of(id).unwrap_or("scope_name_12").to_owned());
+            return Form::atom(Rank::Named, self.graph.label_of(id).unwrap_or("a_name_of_some_length").to_owned());
         }
         forms.get(&id).map_or_else(|| Form::number(0.0), |f| f.0.clone())
     }
@@ -311,6 +325,7 @@ impl<'a> Planner<'a> {
             let uses: BTreeSet<usize> = needed.iter().map(|x| self.named[x]).collect();
             symbols.sort_unstable();
             symbols.dedup();
+            let mut needs_comment = false;
             let defines = match self.graph.node(id) {
                 Node::Call(F1::Sin | F1::Cos, angle) if group.len() == 2 => {
                     let base = self.angle_name(angle);
@@ -324,15 +339,15 @@ impl<'a> Planner<'a> {
                 }
                 node => {
                     let value = self.expression(node, &mut calls);
-                    let (wanted, negative) = self.wanted_name(id, &value);
+                    let (wanted, negative, is_description) = self.wanted_name(id, &value);
+                    needs_comment = !is_description;
                     let name = self.names.take(&wanted);
                     let value = if negative { value.negated() } else { value };
                     self.given.insert(id, (name.clone(), negative));
                     Defines::Value { name, value }
                 }
             };
-            let is_trig = matches!(self.graph.node(id), Node::Call(F1::Sin | F1::Cos, _));
-            statements.push(Statement { scope: self.graph.scope_of(id).to_owned(), is_trig, defines, uses: uses.into_iter().collect(), symbols });
+            statements.push(Statement { scope: self.graph.scope_of(id).to_owned(), needs_comment, defines, uses: uses.into_iter().collect(), symbols });
         }
         let results = roots.iter().map(|&root| self.written(root, &mut calls)).collect();
         let (mut needed, mut symbols) = (Vec::new(), Vec::new());
@@ -371,23 +386,23 @@ impl<'a> Planner<'a> {
         self.form(node, &mut |operand| self.written(operand, calls))
     }
 
-    /// The derivation's label, or a name that says what the value is, or its scope and a number; and
-    /// whether that names the negative of the value.
-    fn wanted_name(&mut self, id: Id, value: &Form) -> (String, bool) {
+    /// The derivation's label, or a name that says what the value is made of, or its scope and a number;
+    /// whether that names the negative of the value, and whether it is the second of the three.
+    fn wanted_name(&mut self, id: Id, value: &Form) -> (String, bool, bool) {
         let node = self.graph.node(id);
         if let Node::Call(f @ (F1::Sin | F1::Cos), angle) = node {
             let base = self.angle_name(angle);
-            return (format!("{}_{base}", if f == F1::Sin { "s" } else { "c" }), false);
+            return (format!("{}_{base}", if f == F1::Sin { "s" } else { "c" }), false, true);
         }
         if let Some(label) = self.graph.label_of(id) {
-            return (label.to_owned(), self.graph.label_is_of_negative(id));
+            return (label.to_owned(), self.graph.label_is_of_negative(id), false);
         }
-        if let Some(described) = self.describe(node) {
-            return described;
+        if let Some((name, negative)) = self.describe(node) {
+            return (name, negative, true);
         }
         let scope = self.graph.scope_of(id).to_owned();
         let negative = value.is_negative() || self.uses.get(&id) == self.negative_uses.get(&id);
-        (self.numbered(if scope.is_empty() { "part" } else { &scope }), negative)
+        (self.numbered(if scope.is_empty() { "part" } else { &scope }), negative, false)
     }
 
     fn numbered(&mut self, what: &str) -> String {

@@ -5,7 +5,7 @@
 use super::about::{Header, about};
 use super::form::Form;
 use super::functions::{Function, Output, Shape, Vector, entries, functions, place};
-use super::names::{Language, Names, WITHIN_RUST, identifier};
+use super::names::{Language, Names, CALLED_RUST, LETTERS, identifier};
 use super::plan::{Defines, Plan, Statement, plan};
 use super::rust_model;
 use super::split::{Part, split};
@@ -52,18 +52,25 @@ pub fn rust(equations: &Equations, source: &str) -> String {
     out
 }
 
+/// Name of the unit struct that implements `runtime::Model` in the text of [`rust`]: `GoogolMrb`.
+#[must_use]
+pub fn rust_model_name(equations: &Equations) -> String {
+    Fields::new(equations).model
+}
+
 /// A few expressions as one Rust function over named numbers: `pub fn name(a: f64, b: f64) -> [f64; N]`.
 /// It calls functions of `runtime::math` by their names.
 #[must_use]
 pub fn rust_function(graph: &Graph, name: &str, arguments: &[SymbolId], results: &[Id]) -> String {
-    let mut names = Names::new(Language::Rust, WITHIN_RUST);
+    let mut names = Names::new(Language::Rust, CALLED_RUST);
     let given: Vec<String> = arguments.iter().map(|&s| names.take(&graph.symbol_info(s).name)).collect();
     let vocabulary = Vocabulary::new(Language::Rust, graph, |s, _| {
         let text = arguments.iter().position(|&a| a == s).map_or_else(|| "f64::NAN".to_owned(), |i| given[i].clone());
         (text.clone(), text)
     });
     let plan = plan(graph, &vocabulary, names, results);
-    let typed: Vec<String> = given.iter().map(|a| format!("{a}: f64")).collect();
+    let read = plan.symbols();
+    let typed: Vec<String> = given.iter().zip(arguments).map(|(a, s)| format!("{}{a}: f64", if read.contains(s) { "" } else { "_" })).collect();
     let mut out = format!("pub fn {}({}) -> [f64; {}] {{\n", identifier(Language::Rust, name), typed.join(", "), results.len());
     for statement in &plan.statements {
         write_statement(&mut out, statement, 4);
@@ -112,7 +119,7 @@ impl Fields {
 
     /// Names that values within functions must not take.
     pub(super) fn within(&self) -> Names {
-        let mut taken: Vec<&str> = WITHIN_RUST.to_vec();
+        let mut taken: Vec<&str> = [LETTERS, CALLED_RUST].concat();
         taken.extend(CONSTANTS);
         taken.extend(TYPES.iter().map(|t| t.1));
         taken.push(&self.model);
@@ -312,7 +319,7 @@ fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &F
         let _ = writeln!(out, "    let part_{0} = {name}_part_{0}({1});", k + 1, part_arguments(e, &plan, part).join(", "));
     }
     write_imports(out, &rest.imports, &plan);
-    write_statements(out, e, &plan, &rest.own);
+    write_statements(out, e, &function.name, &plan, &rest.own);
     write_results(out, fields, function, &plan);
     out.push_str("}\n\n");
 }
@@ -371,9 +378,10 @@ fn write_part(out: &mut String, e: &Equations, name: &str, plan: &Plan, part: &P
     typed.extend(part.parts_used().iter().map(|&j| format!("part_{}: &[f64; {}]", j + 1, part.lengths[j])));
     let n = part.exports.len();
     let _ = writeln!(out, "/// Part {} of [`{name}`]: values that later parts need.", k + 1);
-    let _ = writeln!(out, "fn {name}_part_{}({}) -> [f64; {n}] {{", k + 1, typed.join(", "));
+    // a compiler would inline a function that is called once, and undo the split
+    let _ = writeln!(out, "#[inline(never)]\nfn {name}_part_{}({}) -> [f64; {n}] {{", k + 1, typed.join(", "));
     write_imports(out, &part.imports, plan);
-    write_statements(out, e, plan, &part.own);
+    write_statements(out, e, name, plan, &part.own);
     let exports: Vec<Form> = part.exports.iter().map(|x| Form::atom(super::form::Rank::Named, x.name(plan).to_owned())).collect();
     write_list(out, 4, "[", &exports, &[], "]");
     out.push_str("}\n\n");
@@ -385,12 +393,12 @@ fn write_imports(out: &mut String, imports: &[super::split::Import], plan: &Plan
     }
 }
 
-pub(super) fn write_statements(out: &mut String, e: &Equations, plan: &Plan, range: &std::ops::Range<usize>) {
+fn write_statements(out: &mut String, e: &Equations, within: &str, plan: &Plan, range: &std::ops::Range<usize>) {
     let mut before: Option<String> = None;
     for statement in &plan.statements[range.clone()] {
-        if !statement.is_trig {
+        if statement.needs_comment {
             let comment = about(e, &statement.scope);
-            if let Some(comment) = comment.as_ref().filter(|_| comment != before) {
+            if let Some(comment) = comment.as_ref().filter(|words| comment != before && *words != within) {
                 let _ = writeln!(out, "    // {comment}");
             }
             before = comment;
@@ -409,12 +417,14 @@ pub(super) fn write_statement(out: &mut String, statement: &Statement, indent: u
         let _ = writeln!(out, "{line}");
         return;
     }
-    let _ = write!(out, "{:indent$}{}", "", left.trim_end());
-    for (i, piece) in value.pieces().iter().enumerate() {
-        let more = indent + if i == 0 { 4 } else { 8 };
-        let _ = write!(out, "\n{:more$}{}", "", piece.trim_start());
-    }
-    out.push_str(";\n");
+    let _ = writeln!(out, "{:indent$}{left}{};", "", broken(&value, indent));
+}
+
+/// An expression in several lines, rustfmt's way: each further term starts a line.
+fn broken(value: &Form, indent: usize) -> String {
+    let more = indent + 4;
+    let lines: Vec<String> = value.pieces().iter().enumerate().map(|(i, piece)| if i == 0 { piece.clone() } else { format!("\n{:more$}{}", "", piece.trim_start()) }).collect();
+    lines.concat()
 }
 
 /// `open a, b, c close` on one line where it fits, otherwise one a line with a comment, or filled lines
@@ -440,8 +450,13 @@ pub(super) fn write_list(out: &mut String, indent: usize, open: &str, values: &[
         }
         let _ = writeln!(out, "{:inner$}{}", "", line.trim_end());
     } else {
-        for (text, comment) in texts.iter().zip(comments) {
-            let _ = writeln!(out, "{:inner$}{text}, // {comment}", "");
+        for ((text, value), comment) in texts.iter().zip(values).zip(comments) {
+            let line = format!("{:inner$}{text}, // {comment}", "");
+            if line.chars().count() <= WIDTH {
+                let _ = writeln!(out, "{line}");
+            } else {
+                let _ = writeln!(out, "{:inner$}// {comment}\n{:inner$}{},", "", "", broken(value, inner));
+            }
         }
     }
     let _ = writeln!(out, "{:indent$}{}", "", close.trim_start_matches([' ', ',']));
@@ -474,9 +489,12 @@ fn write_results(out: &mut String, fields: &Fields, function: &Function, plan: &
 fn write_value(out: &mut String, fields: &Fields, indent: usize, before: &str, output: &Output, values: &[Form], after: &str) {
     match output.shape {
         Shape::Scalar => {
-            let value = &values[0];
-            let line = format!("{:indent$}{before}{}{after}", "", value.text());
-            let _ = writeln!(out, "{line}");
+            let line = format!("{:indent$}{before}{}{after}", "", values[0].text());
+            if line.chars().count() <= WIDTH {
+                let _ = writeln!(out, "{line}");
+            } else {
+                let _ = writeln!(out, "{:indent$}{before}{}{after}", "", broken(&values[0], indent));
+            }
         }
         Shape::Array(_) => write_list(out, indent, &format!("{before}["), values, &output.rows, &format!("]{after}")),
         Shape::Named(vector) => {

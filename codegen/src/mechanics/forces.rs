@@ -81,7 +81,7 @@ pub fn on_coordinates(rig: &Rig, lowering: &Lowering, g: &mut Graph, takes: impl
 /// Generalized force Q of the forces that `takes` accepts.
 pub fn generalized(rig: &Rig, tree: &Tree, lowering: &Lowering, g: &mut Graph, takes: impl Fn(&Force) -> bool + Copy) -> Vec<Id> {
     let wrenches = all_wrenches(rig, tree, lowering, g, takes);
-    let mut q = project(tree, g, &wrenches);
+    let mut q = project(tree, g, &wrenches, "_applied");
     for (total, part) in q.iter_mut().zip(on_coordinates(rig, lowering, g, takes)) {
         *total = g.add(*total, part);
     }

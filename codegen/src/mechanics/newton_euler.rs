@@ -4,7 +4,7 @@
 
 use super::bodies::Inertia;
 use super::tree::{Motion, Tree, axis_vector};
-use super::vector::{V3, add_tensors, add3, cross3, dot3, point_inertia, scale3, tensor_times, zero3};
+use super::vector::{Sym3, V3, add3, cross3, dot3, scale3, tensor_times, zero3};
 use crate::expr::{Graph, Id};
 use model_dsl::rig::Axis;
 
@@ -138,8 +138,7 @@ pub fn inertial_wrenches(
             let swung = Swing::new(omega[k], alpha_k).times(g, body.mc);
             let f = add3(g, moved, swung);
             let spin_up = tensor_times(g, &body.i, alpha_k);
-            let momentum = tensor_times(g, &body.i, omega[k]);
-            let gyro = cross3(g, omega[k], momentum);
+            let gyro = gyroscopic(g, &body.i, omega[k]);
             let lever = cross3(g, body.mc, a_k);
             let n = add3(g, spin_up, gyro);
             let n = add3(g, n, lever);
@@ -150,6 +149,32 @@ pub fn inertial_wrenches(
         wrenches.push(wrench);
     }
     wrenches
+}
+
+/// omega x I omega. Over the axes of a tensor without products (or with one) by Euler's products omega_j omega_k, which
+/// the accelerations of points use too.
+fn gyroscopic(g: &mut Graph, i: &Sym3, omega: V3) -> V3 {
+    let products = i[3..].iter().filter(|&&x| !g.is_zero(x)).count();
+    if products > 1 {
+        let momentum = tensor_times(g, i, omega);
+        return cross3(g, omega, momentum);
+    }
+    // entries of I that couple the axes of component k: (b, c) are the next axes, a = k
+    let off = |j: usize, l: usize| i[2 + j + l];
+    std::array::from_fn(|a| {
+        let (b, c) = ((a + 1) % 3, (a + 2) % 3);
+        let bc = g.mul(omega[b], omega[c]);
+        let difference = g.sub(i[c], i[b]);
+        let mut total = g.mul(difference, bc);
+        let (bb, cc) = (g.square(omega[b]), g.square(omega[c]));
+        let squares = g.sub(bb, cc);
+        let (ab, ac) = (g.mul(omega[a], omega[b]), g.mul(omega[a], omega[c]));
+        for (entry, rates, negative) in [(off(b, c), squares, false), (off(a, c), ab, false), (off(a, b), ac, true)] {
+            let part = g.mul(entry, rates);
+            total = if negative { g.sub(total, part) } else { g.add(total, part) };
+        }
+        total
+    })
 }
 
 /// alpha x d + omega x (omega x d), with the matrix entries shared between all d of a link.
@@ -196,15 +221,16 @@ impl Swing {
     }
 }
 
-/// Generalized forces of wrenches on the links: projection onto the joints on the way to ground.
-pub fn project(tree: &Tree, g: &mut Graph, wrenches: &[Wrench]) -> Vec<Id> {
+/// Generalized forces of wrenches on the links: projection onto the joints on the way to ground. Forces
+/// and moments on the links are labelled `f_` and `n_`, then `whose`.
+pub fn project(tree: &Tree, g: &mut Graph, wrenches: &[Wrench], whose: &str) -> Vec<Id> {
     let mut total = wrenches.to_vec();
     let mut tau = vec![g.zero(); tree.coordinates];
     for (k, link) in tree.links.iter().enumerate().rev() {
         g.set_scope(link.name.clone());
         let Wrench { f, n } = total[k];
-        label3(g, f, "f", &link.name);
-        label3(g, n, "n", &link.name);
+        label3(g, f, &format!("f{whose}"), &link.name);
+        label3(g, n, &format!("n{whose}"), &link.name);
         let to_parent = match &link.motion {
             Motion::Rotate { axis, drives, .. } => {
                 let along = project_axis(g, *axis, n);
@@ -326,24 +352,23 @@ fn into_parent(tree: &Tree, g: &mut Graph, k: usize, body: &Inertia) -> Inertia 
             Inertia { m: body.m, mc: tree.into_parent(g, k, body.mc), i: rotate_tensor(g, *axis, *sin, *cos, &body.i) }
         }
         Motion::Translate { offset, .. } => {
-            // I' = I + m (d.d 1 - d d^T) + cross terms of d and mc
+            // I' = I + (d.s 1 - (d mc^T + mc' d^T)) with mc' = mc + m d, s = mc + mc'
             let d = *offset;
             let carried = scale3(g, body.m, d);
-            let point = point_inertia(g, body.m, d);
-            let mut i = add_tensors(g, &body.i, &point);
-            let s: V3 = std::array::from_fn(|k| g.mul(d[k], body.mc[k]));
-            let two = g.num(2.0);
+            let mc = add3(g, body.mc, carried);
+            let both = add3(g, body.mc, mc);
+            let mut i = body.i;
+            let along: V3 = std::array::from_fn(|k| g.mul(d[k], both[k]));
             for (entry, (j, l)) in [(0, (1, 2)), (1, (0, 2)), (2, (0, 1))] {
-                let sum = g.add(s[j], s[l]);
-                let twice = g.mul(two, sum);
-                i[entry] = g.add(i[entry], twice);
+                let sum = g.add(along[j], along[l]);
+                i[entry] = g.add(i[entry], sum);
             }
             for (entry, (j, l)) in [(3, (0, 1)), (4, (0, 2)), (5, (1, 2))] {
-                let (left, right) = (g.mul(d[j], body.mc[l]), g.mul(d[l], body.mc[j]));
+                let (left, right) = (g.mul(d[j], body.mc[l]), g.mul(d[l], mc[j]));
                 let sum = g.add(left, right);
                 i[entry] = g.sub(i[entry], sum);
             }
-            Inertia { m: body.m, mc: add3(g, body.mc, carried), i }
+            Inertia { m: body.m, mc, i }
         }
     }
 }
@@ -364,23 +389,21 @@ fn rotate_tensor(g: &mut Graph, axis: Axis, sin: Id, cos: Id, i: &[Id; 6]) -> [I
                 _ => 5,
             };
             let (bb, cc, bc, ab, ac) = (i[at(b, b)], i[at(c, c)], i[at(b, c)], i[at(a, b)], i[at(a, c)]);
-            let difference = |g: &mut Graph, k1: Id, x: Id, k2: Id, y: Id| {
-                let (left, right) = (g.mul(k1, x), g.mul(k2, y));
-                g.sub(left, right)
-            };
-            let total = |g: &mut Graph, k1: Id, x: Id, k2: Id, y: Id| {
-                let (left, right) = (g.mul(k1, x), g.mul(k2, y));
-                g.add(left, right)
-            };
-            let first = difference(g, cos, bb, sin, bc);
-            let second = difference(g, cos, bc, sin, cc);
             let mut out = *i;
-            out[at(b, b)] = difference(g, cos, first, sin, second);
-            out[at(b, c)] = total(g, sin, first, cos, second);
-            let trace = g.add(bb, cc);
-            out[at(c, c)] = g.sub(trace, out[at(b, b)]);
-            out[at(a, b)] = difference(g, cos, ab, sin, ac);
-            out[at(a, c)] = total(g, sin, ab, cos, ac);
+            // bb' = cos^2 bb - 2 sin cos bc + sin^2 cc = cc + cos t, bc' = bc + sin t, with t = cos (bb - cc) - 2 sin bc
+            let difference = g.sub(bb, cc);
+            let two = g.num(2.0);
+            let twice = g.mul(two, bc);
+            let (left, right) = (g.mul(cos, difference), g.mul(sin, twice));
+            let t = g.sub(left, right);
+            let (turned, mixed) = (g.mul(cos, t), g.mul(sin, t));
+            out[at(b, b)] = g.add(cc, turned);
+            out[at(c, c)] = g.sub(bb, turned);
+            out[at(b, c)] = g.add(bc, mixed);
+            let (left, right) = (g.mul(cos, ab), g.mul(sin, ac));
+            out[at(a, b)] = g.sub(left, right);
+            let (left, right) = (g.mul(sin, ab), g.mul(cos, ac));
+            out[at(a, c)] = g.add(left, right);
             out
         }
         Axis::Vector(_) => {

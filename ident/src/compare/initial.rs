@@ -3,7 +3,7 @@
 //! Coordinates are those whose outputs are the measured ones (least squares, Newton's steps on h(q)); those that no output
 //! sees stay zero. Actuator states are those at which nothing moves with the inputs held.
 
-use super::series::{Line, line};
+use super::series::{Line, polynomial};
 use crate::record::Start;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
@@ -21,13 +21,13 @@ pub fn initial_state(model: &dyn Model, p: &[f64], t: &[f64], outputs: &[Option<
         .iter()
         .enumerate()
         .filter_map(|(i, values)| {
-            let values = values.as_ref()?;
+            let values = values.as_ref().filter(|v| v.len() == t.len() && !v.is_empty())?;
             Some((
                 i,
                 match start {
                     Start::AtRest => Line { value: values[0], rate: 0.0 },
                     Start::Settled => Line { value: values[..window].iter().sum::<f64>() / window as f64, rate: 0.0 },
-                    Start::Free => line(&t[..window], &values[..window], first),
+                    Start::Free => polynomial(&t[..window], &values[..window], first, if window < 5 { 1 } else { 2 }),
                 },
             ))
         })
@@ -36,7 +36,7 @@ pub fn initial_state(model: &dyn Model, p: &[f64], t: &[f64], outputs: &[Option<
 }
 
 /// State whose outputs have these values and rates.
-pub(super) fn state_from(model: &dyn Model, p: &[f64], t: f64, measured: &[(usize, Line)], u: &[f64]) -> Vec<f64> {
+pub(crate) fn state_from(model: &dyn Model, p: &[f64], t: f64, measured: &[(usize, Line)], u: &[f64]) -> Vec<f64> {
     let d = model.dimensions();
     let (n, states) = (d.coordinates, d.states());
     let mut x = vec![0.0; states];
@@ -74,7 +74,7 @@ fn least_squares(a: DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
 }
 
 /// Actuator states at which z' = 0 with the signals held: Newton's steps on their part of the state.
-fn settle_lags(model: &dyn Model, p: &[f64], t: f64, u: &[f64], x: &mut [f64]) {
+pub(crate) fn settle_lags(model: &dyn Model, p: &[f64], t: f64, u: &[f64], x: &mut [f64]) {
     let d = model.dimensions();
     let (states, lags, at) = (d.states(), d.lags, 2 * d.coordinates);
     if lags == 0 {
@@ -88,5 +88,40 @@ fn settle_lags(model: &dyn Model, p: &[f64], t: f64, u: &[f64], x: &mut [f64]) {
         let slope = DMatrix::from_fn(lags, lags, |i, j| a[(at + i) * states + at + j]);
         let Some(step) = least_squares(slope, &DVector::from_fn(lags, |i, _| -dx[at + i])) else { return };
         x[at..].iter_mut().zip(step.iter()).for_each(|(x, s)| *x += s);
+    }
+}
+
+/// Actuator states followed along a record, where coordinates and rates are measured: z' = f_z(x, u), with the slope of
+/// each z taken as constant from sample to sample (exact for a first-order lag and held inputs).
+pub(super) struct Held<'a> {
+    model: &'a dyn Model,
+    p: &'a [f64],
+    /// Time, input and state of the sample before.
+    before: Option<(f64, Vec<f64>, Vec<f64>)>,
+}
+
+impl<'a> Held<'a> {
+    pub fn new(model: &'a dyn Model, p: &'a [f64]) -> Self {
+        Self { model, p, before: None }
+    }
+
+    /// Puts the actuator states at time `t` into `x`, whose coordinates and rates are known.
+    pub fn follow(&mut self, t: f64, u: &[f64], x: &mut [f64]) {
+        let d = self.model.dimensions();
+        let (states, at) = (d.states(), 2 * d.coordinates);
+        if d.lags == 0 {
+            return;
+        }
+        if let Some((before, u, old)) = &self.before {
+            let (mut dx, mut a, mut b) = (vec![0.0; states], vec![0.0; states * states], vec![0.0; states * d.signals()]);
+            if self.model.linearize(*before, old, u, self.p, &mut dx, &mut a, &mut b).is_ok() {
+                for i in at..states {
+                    let (h, slope) = (t - before, a[i * states + i]);
+                    let gain = if slope == 0.0 { h } else { (slope * h).exp_m1() / slope };
+                    x[i] = old[i] + gain * dx[i];
+                }
+            }
+        }
+        self.before = Some((t, u.to_vec(), x.to_vec()));
     }
 }

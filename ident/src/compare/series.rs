@@ -1,29 +1,55 @@
 //! Sampled signals as numbers: unwrapping, straight lines, fit and rms error.
 
+use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{PI, TAU};
 
-/// Value and rate of a straight line at one time.
+/// Value and rate of a signal at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Line {
+pub(crate) struct Line {
     pub value: f64,
     pub rate: f64,
 }
 
-/// The least-squares line through samples, at time `at`.
-pub(super) fn line(t: &[f64], y: &[f64], at: f64) -> Line {
-    let n = t.len() as f64;
-    let (mt, my) = (t.iter().sum::<f64>() / n, y.iter().sum::<f64>() / n);
-    let (mut stt, mut sty) = (0.0, 0.0);
-    for (t, y) in t.iter().zip(y) {
-        stt += (t - mt) * (t - mt);
-        sty += (t - mt) * (y - my);
+/// Value and rate at time `at` of the least-squares polynomial of the given degree (at most 3) through samples.
+pub(super) fn polynomial(t: &[f64], y: &[f64], at: f64, degree: usize) -> Line {
+    let reach = t.iter().fold(0.0_f64, |m, t| m.max((t - at).abs()));
+    if reach == 0.0 {
+        return Line { value: y.first().copied().unwrap_or(0.0), rate: 0.0 };
     }
-    let rate = if stt > 0.0 { sty / stt } else { 0.0 };
-    Line { value: my + rate * (at - mt), rate }
+    let degree = degree.min(3).min(t.len().saturating_sub(1));
+    // times from -1 to 1: the normal equations are well conditioned
+    let (mut normal, mut right) = (DMatrix::<f64>::zeros(degree + 1, degree + 1), DVector::<f64>::zeros(degree + 1));
+    for (t, y) in t.iter().zip(y) {
+        let s = (t - at) / reach;
+        let powers = [1.0, s, s * s, s * s * s];
+        for i in 0..=degree {
+            right[i] += powers[i] * y;
+            for j in 0..=degree {
+                normal[(i, j)] += powers[i] * powers[j];
+            }
+        }
+    }
+    match normal.cholesky() {
+        Some(factor) => {
+            let c = factor.solve(&right);
+            Line { value: c[0], rate: c.get(1).copied().unwrap_or(0.0) / reach }
+        }
+        None => Line { value: y.iter().sum::<f64>() / y.len() as f64, rate: 0.0 },
+    }
+}
+
+/// Value and rate of each measured output at `t[k]`, from a cubic through the samples within `reach` [s] of it (and always
+/// through at least five where there are so many).
+pub(super) fn smoothed(t: &[f64], outputs: &[Option<Vec<f64>>], k: usize, reach: f64) -> Vec<(usize, Line)> {
+    let from = t.partition_point(|&s| s < t[k] - reach).min(k.saturating_sub(2));
+    let to = t.partition_point(|&s| s <= t[k] + reach).max((k + 3).min(t.len()));
+    // five samples carry a parabola
+    let degree = if to - from < 7 { 2 } else { 3 };
+    outputs.iter().enumerate().filter_map(|(i, y)| Some((i, polynomial(&t[from..to], &y.as_ref()?[from..to], t[k], degree)))).collect()
 }
 
 /// Takes out the jumps of a whole turn between samples [rad].
-pub(super) fn unwrap(y: &mut [f64]) {
+pub(crate) fn unwrap(y: &mut [f64]) {
     let mut turns = 0.0;
     for k in 1..y.len() {
         let jump = y[k] + turns - y[k - 1];
@@ -59,7 +85,7 @@ pub fn rmse(measured: &[f64], simulated: &[f64]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Line, fit_percent, line, rmse, unwrap};
+    use super::{Line, fit_percent, polynomial, rmse, unwrap};
     use std::f64::consts::TAU;
 
     #[test]
@@ -74,8 +100,14 @@ mod tests {
     }
 
     #[test]
-    fn lines_and_turns() {
-        assert_eq!(line(&[0.0, 1.0, 2.0], &[1.0, 3.0, 5.0], 0.0), Line { value: 1.0, rate: 2.0 });
+    fn polynomials_and_turns() {
+        let t: Vec<f64> = (0..9).map(|k| 0.1 * f64::from(k)).collect();
+        let y: Vec<f64> = t.iter().map(|t| 1.0 - 2.0 * t + 3.0 * t * t - t.powi(3)).collect();
+        let found = polynomial(&t, &y, 0.4, 3);
+        assert!((found.value - 0.616).abs() < 1e-12 && (found.rate + 0.08).abs() < 1e-11, "{found:?}");
+        let found = polynomial(&[0.0, 1.0, 2.0], &[1.0, 3.0, 5.0], 0.0, 1);
+        assert!((found.value - 1.0).abs() < 1e-12 && (found.rate - 2.0).abs() < 1e-12, "{found:?}");
+        assert_eq!(polynomial(&[1.0], &[4.0], 1.0, 3), Line { value: 4.0, rate: 0.0 });
         let truth: Vec<f64> = (0..50).map(|k| -0.7 * f64::from(k)).collect();
         let mut wrapped: Vec<f64> = truth.iter().map(|y| y.rem_euclid(TAU) - TAU).collect();
         let offset = wrapped[0] - truth[0];

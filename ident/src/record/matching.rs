@@ -3,7 +3,7 @@
 use super::error::list;
 use super::{Column, Record};
 use model_dsl::nearest;
-use model_dsl::units::{Dimension, Unit};
+use model_dsl::units::Unit;
 use runtime::Model;
 use sim::{Hold, Signal, Signals};
 use std::fmt;
@@ -55,14 +55,12 @@ pub enum MatchError {
         /// What the rig has it for: `input` or `output`.
         what: &'static str,
     },
-    /// Fewer samples than are needed.
-    TooFewSamples {
+    /// A record that did not come from a file: lengths differ, or numbers are not finite.
+    Inconsistent {
         /// Record.
         file: String,
-        /// Samples.
-        found: usize,
-        /// Needed.
-        needed: usize,
+        /// What is wrong.
+        why: String,
     },
 }
 
@@ -90,7 +88,7 @@ impl fmt::Display for MatchError {
             Self::Unit { file, column, unit, rig, what } => {
                 write!(f, "{file}: `{column}` is in {unit}, but the rig's {what} of this name is in {rig}")
             }
-            Self::TooFewSamples { file, found, needed } => write!(f, "{file}: {found} samples are fewer than the {needed} that are needed"),
+            Self::Inconsistent { file, why } => write!(f, "{file}: {why}"),
         }
     }
 }
@@ -114,6 +112,9 @@ pub fn bind(record: &Record, model: &dyn Model, hold: Hold) -> Result<Bound, Mat
             None => None,
             Some(column) => {
                 check_unit(record, name, column.unit.as_ref(), names.output_unit(i), "output")?;
+                if let Some(k) = column.values.iter().position(|y| !y.is_finite()) {
+                    return Err(MatchError::Inconsistent { file: record.source.clone(), why: format!("value {} of `{name}` is {}", k + 1, column.values[k]) });
+                }
                 Some(column.values.clone())
             }
         });
@@ -142,6 +143,10 @@ pub fn bind_signals(record: &Record, model: &dyn Model, hold: Hold) -> Result<Si
     let d = model.dimensions();
     let names = model.names();
     let file = || record.source.clone();
+    if let Some(column) = record.columns.iter().find(|c| c.values.len() != record.t.len() || record.t.len() < 2) {
+        let why = format!("`{}` has {} values for {} time stamps", column.name, column.values.len(), record.t.len());
+        return Err(MatchError::Inconsistent { file: file(), why });
+    }
     let mut signals = Vec::new();
     for i in 0..d.signals() {
         let name = names.signal(i);
@@ -162,8 +167,7 @@ pub fn bind_signals(record: &Record, model: &dyn Model, hold: Hold) -> Result<Si
         };
         signals.push(signal);
     }
-    // the record's own checks have seen to lengths and finiteness
-    Signals::new(signals).map_err(|_| MatchError::TooFewSamples { file: file(), found: record.t.len(), needed: 2 })
+    Signals::new(signals).map_err(|e| MatchError::Inconsistent { file: file(), why: e.to_string() })
 }
 
 fn check_unit(record: &Record, column: &str, stated: Option<&Unit>, rig: &str, what: &'static str) -> Result<(), MatchError> {
@@ -171,7 +175,5 @@ fn check_unit(record: &Record, column: &str, stated: Option<&Unit>, rig: &str, w
     if stated.dimension == wanted.dimension {
         return Ok(());
     }
-    // a unit without dimension in the rig and in the record: radians and plain numbers are one
-    debug_assert!(stated.dimension != Dimension::NONE || wanted.dimension != Dimension::NONE);
     Err(MatchError::Unit { file: record.source.clone(), column: column.to_owned(), unit: stated.text.clone(), rig: rig.to_owned(), what })
 }

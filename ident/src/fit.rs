@@ -1,0 +1,160 @@
+//! Grey-box identification: parameters of a model, fitted to measured records.
+//!
+//! The problem. A model x' = f(t, x, u, p), y = h(x, p) and records of inputs and outputs; unknown are some of the
+//! parameters and the initial state of each record. Minimized is
+//!
+//! ```text
+//! 1/2 sum over records, outputs, samples  rho((h - y) / scale)
+//!   + 1/2 sum over priors  ((unknown - mean) / sd)^2      within the bounds,
+//! ```
+//!
+//! the *output error*: the model runs freely over the record, with derivatives integrated along exactly. The way there: start
+//! at the nominal values or at those of equation error ([`Starting`]), where needed in pieces (multiple shooting), then
+//! Levenberg-Marquardt ([`minimize`]). The answer ([`Fit`]) has intervals that hold for coloured errors too, and says which
+//! parameters the records cannot tell.
+//!
+//! Knows models through [`runtime::Model`] only, of the rig language only what it says of parameters.
+
+mod answer;
+mod build;
+mod covariance;
+mod data;
+mod equation_error;
+mod error;
+mod filter;
+mod identifiability;
+mod initial;
+pub mod minimize;
+mod objective;
+mod options;
+mod pattern;
+mod report;
+mod specification;
+mod whiteness;
+
+pub use answer::{Estimate, Fit, InitialValue, RecordFigures, SignalFigure};
+pub use equation_error::{EquationErrorFit, Preparation, equation_error};
+pub use error::FitError;
+pub use identifiability::{Identifiable, TradeOff};
+pub use minimize::{Ending, LevenbergMarquardt, Limits, Minimizer};
+pub use options::{FitOptions, InitialStates, Known, Loss, Starting, Weights};
+pub use specification::{ParameterSpec, select};
+pub use whiteness::Whiteness;
+
+use crate::record::Record;
+use build::{assemble, check};
+use data::Data;
+use minimize::{Minimum, Objective};
+use objective::OutputError;
+use runtime::Model;
+use std::time::Instant;
+
+/// Rounds of estimating scales and parameters in turn.
+const ROUNDS: usize = 20;
+
+/// Fits the free parameters of `specs` to `records`, and judges the result on `tests` too.
+///
+/// # Errors
+/// [`FitError`], one variant a cause. A search that ends without a minimum is none, see [`Fit::ending`].
+pub fn identify(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    records: &[Record],
+    tests: &[Record],
+    options: &FitOptions,
+) -> Result<Fit, FitError> {
+    let began = Instant::now();
+    check(model, specs, records, options)?;
+    let data = records.iter().map(|r| Data::new(r, model, options.hold)).collect::<Result<Vec<_>, _>>()?;
+    let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
+    let mut starts = starts(model, specs, &data, nominal, options)?;
+    let mut evaluations = 0;
+    let mut patterns = build::patterns(model, &starts[0].1, &data, options)?;
+    let mut solved;
+    let mut problem;
+    let mut started_from;
+    loop {
+        problem = assemble(model, specs, &data, &patterns, options)?;
+        (solved, started_from) = search(&mut problem, &mut starts, options)?;
+        evaluations += problem.evaluations;
+        // the steps were chosen for the start; they must do for the result too
+        let finer = build::refine(model, &problem, &solved.x, &data, &patterns, options)?;
+        match finer {
+            Some(finer) => {
+                patterns = finer;
+                let p = (0..data.len()).map(|r| problem.parameters(&solved.x, r)).collect();
+                starts = vec![(started_from, p)];
+            }
+            None => break,
+        }
+    }
+    let mut fit = report::answer(model, specs, &data, &mut problem, &solved, options)?;
+    fit.test = report::tests(model, &fit.p, tests, options)?;
+    fit.started_from = started_from;
+    fit.patterns = patterns;
+    fit.evaluations = evaluations;
+    fit.seconds = began.elapsed().as_secs_f64();
+    Ok(fit)
+}
+
+/// Samples of the bumps of the weak form that are tried for starting values.
+const WINDOWS: [usize; 4] = [16, 40, 100, 250];
+
+/// Starting values, each with a name and the parameters of every record.
+fn starts(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    data: &[Data],
+    nominal: Vec<f64>,
+    options: &FitOptions,
+) -> Result<Vec<(String, Vec<Vec<f64>>)>, FitError> {
+    let mut starts = Vec::new();
+    if options.starting != Starting::EquationError {
+        starts.push(("nominal".to_owned(), vec![nominal; data.len()]));
+    }
+    if options.starting != Starting::Nominal {
+        let shortest = data.iter().map(|d| d.times.len()).min().unwrap_or(0);
+        for window in WINDOWS.into_iter().filter(|w| 4 * w <= shortest) {
+            match equation_error::fit(model, specs, data, Preparation::WeakForm { window }) {
+                Ok(found) => starts.push((format!("equation error, windows of {window} samples"), found.p_of_record)),
+                Err(e) if options.starting == Starting::EquationError => return Err(e),
+                // not every coordinate is measured: the nominal values have to do
+                Err(_) => break,
+            }
+        }
+        if starts.is_empty() {
+            return Err(FitError::EquationError { why: format!("{shortest} samples are too few for it") });
+        }
+    }
+    Ok(starts)
+}
+
+/// From the best start to the minimum; where scales are estimated, in turn with them.
+fn search(problem: &mut OutputError<'_>, starts: &mut [(String, Vec<Vec<f64>>)], options: &FitOptions) -> Result<(Minimum, String), FitError> {
+    let mut best: Option<(f64, usize, Vec<f64>)> = None;
+    for (k, (_, p)) in starts.iter().enumerate() {
+        let theta = build::start(problem, p);
+        if let Some(at) = problem.evaluate(&theta)
+            && best.as_ref().is_none_or(|(cost, ..)| at.cost < *cost)
+        {
+            best = Some((at.cost, k, theta));
+        }
+    }
+    let Some((_, k, theta)) = best else {
+        let (record, status) = problem.failure.clone().unwrap_or((0, sim::Status::Completed));
+        let file = problem.pieces.iter().find(|p| p.record == record).map_or_else(String::new, |p| p.data.source.clone());
+        return Err(FitError::NoStart { file, status });
+    };
+    let mut found = LevenbergMarquardt.minimize(problem, &theta, &options.limits);
+    if options.weights == Weights::Noise {
+        for _ in 0..ROUNDS {
+            let Some(change) = build::reweight(problem, &found.x, options) else { break };
+            let again = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
+            found = again;
+            if change < 1e-4 {
+                break;
+            }
+        }
+    }
+    Ok((found, starts[k].0.clone()))
+}

@@ -1,0 +1,96 @@
+//! Integration steps for a fit: the cheapest that keep the outputs' error far below what encoders resolve.
+
+use super::data::{Data, spread};
+use super::error::FitError;
+use runtime::Model;
+use sim::{Forward, FixedMethod, Pattern, Status};
+
+/// Stages of a step, by which patterns are compared.
+fn stages(method: FixedMethod) -> usize {
+    match method {
+        FixedMethod::Classical => 4,
+        FixedMethod::DormandPrince => 6,
+    }
+}
+
+/// Allowed error of each measured output: `tolerance` parts of its quantum, or of 1e-4 of its spread.
+pub(crate) fn allowed(model: &dyn Model, p: &[f64], data: &Data, tolerance: f64) -> Vec<f64> {
+    data.outputs
+        .iter()
+        .zip(&data.measured)
+        .map(|(&i, values)| {
+            let quantum = model.output_path(i, p).quantum;
+            let resolution = if quantum > 0.0 { quantum } else { 1e-4 * spread(values) };
+            tolerance * resolution.max(f64::MIN_POSITIVE)
+        })
+        .collect()
+}
+
+/// The pattern with the fewest evaluations of the model whose outputs agree with those of half its step to within
+/// `allowed`. Where the run does not come to its end the agreement is judged up to there.
+pub(crate) fn choose(model: &dyn Model, p: &[f64], x0: &[f64], data: &Data, allowed: &[f64]) -> Result<Pattern, FitError> {
+    let period = data.times[data.times.len() - 1] - data.times[0];
+    let period = period / (data.times.len() - 1) as f64;
+    let mut best: Option<(usize, Pattern)> = None;
+    for method in [FixedMethod::DormandPrince, FixedMethod::Classical] {
+        let mut step = 32.0 * period;
+        let mut coarse = outputs(model, p, x0, data, Pattern { method, step })?;
+        for _ in 0..14 {
+            let work = coarse.steps * stages(method);
+            if best.is_some_and(|(least, _)| work >= least) {
+                break;
+            }
+            let fine = outputs(model, p, x0, data, Pattern { method, step: 0.5 * step })?;
+            if agree(&coarse, &fine, allowed) {
+                best = Some((work, Pattern { method, step }));
+                break;
+            }
+            step *= 0.5;
+            coarse = fine;
+        }
+    }
+    // nothing agrees: the model is not smooth at any of these steps; the finest is as good as any
+    Ok(best.map_or(Pattern { method: FixedMethod::Classical, step: period / 64.0 }, |(_, pattern)| pattern))
+}
+
+/// The outputs of a pattern agree with those of half its step.
+pub(crate) fn suffices(
+    model: &dyn Model,
+    p: &[f64],
+    x0: &[f64],
+    data: &Data,
+    allowed: &[f64],
+    pattern: Pattern,
+) -> Result<bool, FitError> {
+    let coarse = outputs(model, p, x0, data, pattern)?;
+    let fine = outputs(model, p, x0, data, Pattern { step: 0.5 * pattern.step, ..pattern })?;
+    Ok(agree(&coarse, &fine, allowed))
+}
+
+struct Outputs {
+    values: Vec<Vec<f64>>,
+    status: Status,
+    steps: usize,
+}
+
+fn outputs(model: &dyn Model, p: &[f64], x0: &[f64], data: &Data, pattern: Pattern) -> Result<Outputs, FitError> {
+    let mut forward = Forward::new(model, &data.signals, &data.times, &data.outputs, &[], 0, pattern)?;
+    let mut values: Vec<Vec<f64>> = data.outputs.iter().map(|_| Vec::with_capacity(data.times.len())).collect();
+    let status = forward.run(p, x0, &[], &mut |_, i, y, _| values[i].push(y))?;
+    Ok(Outputs { values, status, steps: forward.steps() })
+}
+
+fn agree(a: &Outputs, b: &Outputs, allowed: &[f64]) -> bool {
+    // both come to the end, or end at about the same place
+    let ends = match (a.status.time(), b.status.time()) {
+        (None, None) => true,
+        (Some(s), Some(t)) => (s - t).abs() < 0.1 * s.abs().max(t.abs()),
+        _ => false,
+    };
+    // a run that dies grows without bound before; there the last tenth is not compared
+    let dies = a.status.time().is_some();
+    ends && a.values.iter().zip(&b.values).zip(allowed).all(|((a, b), allowed)| {
+        let count = if dies { a.len().min(b.len()) / 2 } else { a.len() };
+        a[..count].iter().zip(b).all(|(a, b)| (a - b).abs() <= *allowed)
+    })
+}
