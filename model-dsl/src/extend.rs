@@ -3,10 +3,19 @@
 
 use crate::ast::{Action, File, Removal, RigItem, Statement};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::rig::Span;
+use std::collections::BTreeMap;
 
-/// Statements of `rig`, base first, with replacements and removals done.
-/// `None` where a base is missing: what a rig would have without it means nothing.
-pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Statement>> {
+/// Statements in order, and the places where names were removed.
+pub struct Flat {
+    /// Statements.
+    pub statements: Vec<Statement>,
+    /// Removed names, and where.
+    pub removed: BTreeMap<String, Span>,
+}
+
+/// Statements of `rig`, base first, with replacements and removals done. `None` where a base is missing: what a rig would have without it means nothing.
+pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>) -> Option<Flat> {
     let mut chain: Vec<&RigItem> = vec![rig];
     while let Some(base) = &chain[chain.len() - 1].extends {
         let Some(found) = find(files, &base.text) else {
@@ -32,15 +41,17 @@ pub fn flatten(files: &[File], rig: &RigItem, diagnostics: &mut Vec<Diagnostic>)
         chain.push(found);
     }
     let mut statements: Vec<Statement> = Vec::new();
+    let mut removed = BTreeMap::new();
     for item in chain.into_iter().rev() {
         for removal in &item.removals {
             remove(&mut statements, removal, diagnostics);
+            removed.insert(removal.name.text.clone(), removal.name.span);
         }
         for statement in &item.statements {
             add(&mut statements, statement, diagnostics);
         }
     }
-    Some(statements)
+    Some(Flat { statements, removed })
 }
 
 /// The rig of this name.

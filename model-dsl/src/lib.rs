@@ -164,9 +164,9 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     let mut rig = None;
     match wanted {
         Some(item) => {
-            if let Some(statements) = extend::flatten(&files, item, &mut diagnostics) {
-                let (resolved, used) = resolve::resolve(&item.name, &item.doc, &statements, &sources, &mut diagnostics);
-                mechanics::check(&resolved, &statements, &used, &mut diagnostics);
+            if let Some(flat) = extend::flatten(&files, item, &mut diagnostics) {
+                let (resolved, used) = resolve::resolve(&item.name, &item.doc, &flat, &sources, &mut diagnostics);
+                mechanics::check(&resolved, &flat.statements, &used, &mut diagnostics);
                 rig = Some(resolved);
             }
         }
@@ -177,10 +177,11 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
                 None => "there is no rig in this file".to_owned(),
             };
             let d = Diagnostic::error("E0114", message, rig::Span::default(), "");
-            diagnostics.push(if names.is_empty() {
-                d.help("write `rig NAME { .. }`")
-            } else {
-                d.help(format!("it has {}", names.join(", ")))
+            let near = options.rig.as_ref().and_then(|wanted| nearest(wanted, names.iter().copied()));
+            diagnostics.push(match near {
+                Some(near) => d.help(format!("did you mean `{near}`?")),
+                None if names.is_empty() => d.help("write `rig NAME { .. }`"),
+                None => d.help(format!("it has {}", names.join(", "))),
             });
         }
         None => {}

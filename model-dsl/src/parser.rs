@@ -452,7 +452,23 @@ impl Parser<'_> {
         let word = self.name("a statement")?;
         let Some(keyword) = STATEMENTS.iter().find(|s| **s == word.text) else {
             let mut d = Diagnostic::error("E0112", format!("there is no statement `{}`", word.text), word.span, "unknown statement");
+            let other = match word.text.as_str() {
+                "joint" | "revolute" | "prismatic" | "hinge" => "a joint is a step of a frame: `frame NAME = PARENT.rotate(axis, angle);`",
+                "link" | "mass" | "inertia" | "rigid" => {
+                    "masses stand in bodies: `body NAME on FRAME { mass m; at (x, y, z); inertia diag(..); }`"
+                }
+                "parameter" | "let" | "var" | "parameters" => "did you mean `param`?",
+                "constant" => "did you mean `const`?",
+                "coordinate" | "dof" | "state" => "did you mean `coord`?",
+                "sensor" | "measure" | "measurement" => "what is measured is an `output`, or an `encoder` of a coordinate",
+                "motor" | "rotor" | "thruster" => "declare an `input`, perhaps an `actuator`, and a `force` or `torque` that it gives",
+                "damping" | "drag" => "on a coordinate write `friction`, between two points `damper`",
+                "assumption" | "neglect" | "set" => "assumptions stand in a block: `assume { neglect coriolis; }`",
+                "equilibrium" | "operating_point" => "did you mean `trim`?",
+                _ => "",
+            };
             d = match nearest(&word.text, STATEMENTS) {
+                _ if !other.is_empty() => d.help(other),
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help(format!("statements are {}", STATEMENTS.join(", "))),
             };

@@ -6,6 +6,8 @@
 
 #[path = "../../tests/src/random.rs"]
 mod random;
+#[path = "../../tests/src/random_rig.rs"]
+mod random_rig;
 
 use model_dsl::{CheckOptions, Checked, Loader, Severity, check, check_text, check_tokens};
 use random::Random;
@@ -198,6 +200,16 @@ fn noise_never_panics() {
         survive(format!("rig A {{ coord x: m; {text} }}").as_bytes());
         let bytes: Vec<u8> = (0..length).map(|_| r.below(256) as u8).collect();
         survive(&bytes);
+    }
+}
+
+#[test]
+fn random_rigs_that_are_right_are_taken() {
+    for seed in 0..300 {
+        let text = random_rig::random_rig(seed, 1 + seed as usize % 8);
+        let checked = survive(text.as_bytes());
+        let shown: Vec<String> = checked.diagnostics.iter().map(|d| d.render(&checked.sources, false)).collect();
+        assert!(checked.rig.is_some(), "seed {seed}:\n{text}\n{}", shown.join("\n"));
     }
 }
 

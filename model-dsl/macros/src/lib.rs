@@ -131,3 +131,56 @@ fn module_name(rig: &str) -> String {
     }
     if syn::parse_str::<syn::Ident>(&out).is_ok() { out } else { format!("{out}_rig") }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The expansion outside of the compiler: same tokens, no places.
+    fn expanded(text: &str) -> String {
+        expand(text.parse().expect("tokens")).to_string()
+    }
+
+    #[test]
+    fn a_file_becomes_a_module_and_is_tracked_with_all_that_it_uses() {
+        let code = expanded("\"../../examples/rigs/googol_mrb.rig\"");
+        assert!(code.contains("pub mod googol_mrb"), "{code}");
+        for file in ["googol_mrb.rig", "googol.rig"] {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/rigs").join(file).canonicalize().expect("the rig");
+            assert!(code.contains(&format!(":: include_bytes ! ({:?})", path.to_string_lossy())), "{file} is not tracked");
+        }
+        let inline = expanded("use \"../../examples/rigs/googol.rig\"; rig Other extends Googol { }");
+        assert!(inline.contains("pub mod other") && inline.contains("googol.rig"));
+    }
+
+    #[test]
+    fn a_wrong_file_is_shown_with_its_lines() {
+        let code = expanded("\"../../tests/rigs/fail/force_of_volts.rig\"");
+        assert!(code.contains("compile_error") && !code.contains("pub mod"));
+        assert!(code.contains("[E0231] a force needs newtons, this is V\\n  --> ../../tests/rigs/fail/force_of_volts.rig:19:48"), "{code}");
+        // mended, it is compiled anew
+        assert!(code.contains("include_bytes"));
+    }
+
+    #[test]
+    fn the_rig_that_is_named_is_taken() {
+        assert!(expanded("\"../../tests/rigs/statements/extends_replace_remove.rig\"").contains("pub mod variant"));
+        assert!(expanded("\"../../tests/rigs/statements/extends_replace_remove.rig\", Base").contains("pub mod base"));
+        let missing = expanded("\"../../tests/rigs/statements/extends_replace_remove.rig\", Bse");
+        assert!(missing.contains("[E0114] there is no rig `Bse` in this file") && missing.contains("did you mean `Base`?"), "{missing}");
+    }
+
+    #[test]
+    fn modules_are_called_as_rigs_in_small_letters() {
+        let pairs = [
+            ("GoogolMrb", "googol_mrb"),
+            ("Chain3", "chain3"),
+            ("SRBModel", "srb_model"),
+            ("Match", "match_rig"),
+            ("already_small", "already_small"),
+        ];
+        for (rig, module) in pairs {
+            assert_eq!(module_name(rig), module);
+        }
+    }
+}

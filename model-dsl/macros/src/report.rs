@@ -16,9 +16,13 @@ pub fn place(d: &Diagnostic, text: Option<&MacroText>) -> (Span, Span) {
 /// another file it knows nothing, so there the message brings its own.
 pub fn words(d: &Diagnostic, sources: &Sources, text: Option<&MacroText>) -> String {
     let Some(((main, label), others)) = d.labels.split_first().filter(|((span, _), _)| text.is_some() && span.file == 0) else {
-        return d.render(sources, false);
+        let rendered = d.render(sources, false);
+        let shown = rendered.split_once('\n').map_or("", |(_, rest)| rest);
+        return format!("[{}] {}\n{shown}", d.code, d.message).trim_end().to_owned();
     };
     let mut out = format!("[{}] {}", d.code, d.message);
+    // an empty place is the end of what stands in front of it
+    let label = &if main.start == main.end && !label.is_empty() { format!("{label}, behind what is underlined") } else { label.clone() };
     let in_message = |label: &str| label.is_empty() || d.message.ends_with(label);
     if !in_message(label) {
         let shown = sources.text(*main).filter(|t| !t.is_empty() && t.len() <= 60 && !t.contains('\n'));

@@ -37,6 +37,8 @@ pub struct Scope {
     pub order: Vec<String>,
     /// Names of statements that could not be read: uses of them are no second error.
     pub lost: std::collections::BTreeSet<String>,
+    /// Names that a variant removed, and where.
+    pub removed: std::collections::BTreeMap<String, Span>,
 }
 
 /// A checked expression and its dimension; `None` for a zero or a number whose dimension the place decides.
@@ -175,8 +177,14 @@ impl Checker<'_> {
             }
             let mut d = Diagnostic::error("E0201", format!("there is no `{}` in this rig", name.text), name.span, "unknown name");
             let near = if self.diagnostics.len() > MANY { None } else { nearest(&name.text, self.scope.order.iter().map(String::as_str)) };
+            if let Some(place) = self.scope.removed.get(&name.text) {
+                self.diagnostics.push(d.also(*place, "removed here").help("replace or remove what uses it, too"));
+                return None;
+            }
             d = match near {
-                _ if Unit::named(&name.text).is_some() => d.help("a compound unit after a number goes in brackets: `0.1 [m/s]`"),
+                _ if Unit::named(&name.text).is_some() => d
+                    .help("a unit stands right behind its number, a compound one in brackets: `20 mm`, `0.1 [m/s]`")
+                    .help(format!("for a parameter of this name, declare it: `param {}: UNIT = VALUE;`", name.text)),
                 Some(near) => d.help(format!("did you mean `{near}`?")),
                 None => d.help(format!("declare it, for example `param {}: UNIT = VALUE;`", name.text)),
             };

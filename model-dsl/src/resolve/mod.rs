@@ -14,6 +14,7 @@ mod values;
 
 use crate::ast::{self, Expr as Ast, Kind, Name, Statement};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::extend::Flat;
 use crate::quantity::{Allowed, Checker, Meaning, Quantity, Scope, is_bare};
 use crate::rig::*;
 use crate::source::Sources;
@@ -23,13 +24,7 @@ use std::collections::BTreeSet;
 use terms::{hole, names_in};
 
 /// Builds the rig from its statements; `None` where an error left a hole.
-pub fn resolve(
-    name: &Name,
-    doc: &str,
-    statements: &[Statement],
-    sources: &Sources,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> (Rig, BTreeSet<Symbol>) {
+pub fn resolve(name: &Name, doc: &str, flat: &Flat, sources: &Sources, diagnostics: &mut Vec<Diagnostic>) -> (Rig, BTreeSet<Symbol>) {
     let rig = Rig {
         name: name.text.clone(),
         doc: doc.to_owned(),
@@ -61,6 +56,8 @@ pub fn resolve(
         row_unit: Vec::new(),
         circular: BTreeSet::new(),
     };
+    r.scope.removed = flat.removed.clone();
+    let statements = flat.statements.as_slice();
     r.scope.lost = statements.iter().filter(|s| matches!(s.kind, Kind::Broken)).map(|s| s.name.text.clone()).collect();
     r.values(statements);
     r.definitions(statements);

@@ -1,3 +1,3 @@
-rig_macros::rig!("tests/fail/rigs/none.rig");
+rig_macros::rig!("rigs/none.rig");
 
 fn main() {}

@@ -1,3 +1,3 @@
-rig_macros::rig!("tests/fail/rigs/good.rig", Cart, fast);
+rig_macros::rig!("rigs/cart.rig", Cart, fast);
 
 fn main() {}

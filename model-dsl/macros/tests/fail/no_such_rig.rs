@@ -1,3 +1,0 @@
-rig_macros::rig!("tests/fail/rigs/good.rig", Cartt);
-
-fn main() {}
