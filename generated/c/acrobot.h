@@ -71,60 +71,74 @@ struct acrobot_state {
 /* The values that the rig's file gives. */
 void acrobot_nominal(struct acrobot_parameters *p);
 
-/* Mass matrix M(q), 2 x 2, symmetric; rows (shoulder, elbow).
- */
+/* Mass matrix M(q), 2 x 2, symmetric; rows (shoulder, elbow). */
 void acrobot_mass_matrix(const struct acrobot_coordinates *q, const struct acrobot_parameters *p, double m[2][2]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (shoulder, elbow).
- */
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (shoulder, elbow). */
 void acrobot_bias(const struct acrobot_coordinates *q, const struct acrobot_rates *v, const struct acrobot_parameters *p, double h[2]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (shoulder, elbow).
- */
-void acrobot_velocity_products(const struct acrobot_coordinates *q, const struct acrobot_rates *v, const struct acrobot_parameters *p, double c[2]);
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (shoulder, elbow). */
+void acrobot_velocity_products(
+    const struct acrobot_coordinates *q,
+    const struct acrobot_rates *v,
+    const struct acrobot_parameters *p,
+    double c[2]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (shoulder, elbow).
- */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (shoulder, elbow). */
 void acrobot_gravity(const struct acrobot_coordinates *q, const struct acrobot_parameters *p, double g[2]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (shoulder, elbow).
- */
-void acrobot_dissipation(const struct acrobot_coordinates *q, const struct acrobot_rates *v, const struct acrobot_parameters *p, double d[2]);
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (shoulder, elbow). */
+void acrobot_dissipation(
+    const struct acrobot_coordinates *q,
+    const struct acrobot_rates *v,
+    const struct acrobot_parameters *p,
+    double d[2]);
 
-/* Generalized force Q [N m] of the inputs; rows (shoulder, elbow).
- */
-void acrobot_generalized_force(const struct acrobot_coordinates *q, const struct acrobot_inputs *u, const struct acrobot_parameters *p, double f[2]);
+/* Generalized force Q [N m] of the inputs; rows (shoulder, elbow). */
+void acrobot_generalized_force(
+    const struct acrobot_coordinates *q,
+    const struct acrobot_inputs *u,
+    const struct acrobot_parameters *p,
+    double f[2]);
 
-/* Input map dQ/du, 2 x 1; rows (shoulder, elbow), columns (tau).
- */
+/* Input map dQ/du, 2 x 1; rows (shoulder, elbow), columns (tau). */
 void acrobot_input_map(const struct acrobot_coordinates *q, const struct acrobot_parameters *p, double s[2][1]);
 
-/* Kinetic energy T(q, v) [J].
- */
+/* Kinetic energy T(q, v) [J]. */
 double acrobot_kinetic_energy(const struct acrobot_coordinates *q, const struct acrobot_rates *v, const struct acrobot_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double acrobot_potential_energy(const struct acrobot_coordinates *q, const struct acrobot_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void acrobot_inverse_dynamics(const struct acrobot_state *x, const struct acrobot_accelerations *a, const struct acrobot_inputs *u, const struct acrobot_parameters *p, double r[2]);
+void acrobot_inverse_dynamics(
+    const struct acrobot_state *x,
+    const struct acrobot_accelerations *a,
+    const struct acrobot_inputs *u,
+    const struct acrobot_parameters *p,
+    double r[2]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
 void acrobot_outputs(const struct acrobot_state *x, const struct acrobot_parameters *p, struct acrobot_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 61 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int acrobot_forward_dynamics(const struct acrobot_state *x, const struct acrobot_inputs *u, const struct acrobot_parameters *p, struct acrobot_accelerations *a);
+int acrobot_forward_dynamics(
+    const struct acrobot_state *x,
+    const struct acrobot_inputs *u,
+    const struct acrobot_parameters *p,
+    struct acrobot_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 146 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -137,17 +151,27 @@ int acrobot_forward_dynamics(const struct acrobot_state *x, const struct acrobot
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int acrobot_linearize(const struct acrobot_state *x, const struct acrobot_inputs *u, const struct acrobot_parameters *p, double dx[4], double a[4][4], double b[4][1]);
+int acrobot_linearize(
+    const struct acrobot_state *x,
+    const struct acrobot_inputs *u,
+    const struct acrobot_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][1]);
 
-/* Parameter Jacobian dx'/dp, 4 x 12; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 4 x 12; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int acrobot_parameter_jacobian(const struct acrobot_state *x, const struct acrobot_inputs *u, const struct acrobot_parameters *p, double by_p[4][12]);
+int acrobot_parameter_jacobian(
+    const struct acrobot_state *x,
+    const struct acrobot_inputs *u,
+    const struct acrobot_parameters *p,
+    double by_p[4][12]);
 
-/* Jacobians of the measured outputs.
- */
+/* Jacobians of the measured outputs. */
 void acrobot_output_jacobian(const struct acrobot_state *x, const struct acrobot_parameters *p, double by_x[2][4], double by_p[2][12]);
 
 #ifdef __cplusplus

@@ -78,60 +78,62 @@ struct aero_state {
 /* The values that the rig's file gives. */
 void aero_nominal(struct aero_parameters *p);
 
-/* Mass matrix M(q), 2 x 2, symmetric; rows (yaw, pitch).
- */
+/* Mass matrix M(q), 2 x 2, symmetric; rows (yaw, pitch). */
 void aero_mass_matrix(const struct aero_coordinates *q, const struct aero_parameters *p, double m[2][2]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (yaw, pitch).
- */
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (yaw, pitch). */
 void aero_bias(const struct aero_coordinates *q, const struct aero_rates *v, const struct aero_parameters *p, double h[2]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (yaw, pitch).
- */
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (yaw, pitch). */
 void aero_velocity_products(const struct aero_coordinates *q, const struct aero_rates *v, const struct aero_parameters *p, double c[2]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (yaw, pitch).
- */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (yaw, pitch). */
 void aero_gravity(const struct aero_coordinates *q, const struct aero_parameters *p, double g[2]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (yaw, pitch).
- */
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (yaw, pitch). */
 void aero_dissipation(const struct aero_coordinates *q, const struct aero_rates *v, const struct aero_parameters *p, double d[2]);
 
-/* Generalized force Q [N m] of the inputs; rows (yaw, pitch).
- */
+/* Generalized force Q [N m] of the inputs; rows (yaw, pitch). */
 void aero_generalized_force(const struct aero_coordinates *q, const struct aero_inputs *u, const struct aero_parameters *p, double f[2]);
 
-/* Input map dQ/du, 2 x 2; rows (yaw, pitch), columns (V_m, V_t).
- */
+/* Input map dQ/du, 2 x 2; rows (yaw, pitch), columns (V_m, V_t). */
 void aero_input_map(const struct aero_coordinates *q, const struct aero_inputs *u, const struct aero_parameters *p, double s[2][2]);
 
-/* Kinetic energy T(q, v) [J].
- */
+/* Kinetic energy T(q, v) [J]. */
 double aero_kinetic_energy(const struct aero_coordinates *q, const struct aero_rates *v, const struct aero_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double aero_potential_energy(const struct aero_coordinates *q, const struct aero_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void aero_inverse_dynamics(const struct aero_state *x, const struct aero_accelerations *a, const struct aero_inputs *u, const struct aero_parameters *p, double r[2]);
+void aero_inverse_dynamics(
+    const struct aero_state *x,
+    const struct aero_accelerations *a,
+    const struct aero_inputs *u,
+    const struct aero_parameters *p,
+    double r[2]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
 void aero_outputs(const struct aero_state *x, const struct aero_parameters *p, struct aero_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 67 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int aero_forward_dynamics(const struct aero_state *x, const struct aero_inputs *u, const struct aero_parameters *p, struct aero_accelerations *a);
+int aero_forward_dynamics(
+    const struct aero_state *x,
+    const struct aero_inputs *u,
+    const struct aero_parameters *p,
+    struct aero_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 155 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -144,17 +146,23 @@ int aero_forward_dynamics(const struct aero_state *x, const struct aero_inputs *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int aero_linearize(const struct aero_state *x, const struct aero_inputs *u, const struct aero_parameters *p, double dx[4], double a[4][4], double b[4][2]);
+int aero_linearize(
+    const struct aero_state *x,
+    const struct aero_inputs *u,
+    const struct aero_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][2]);
 
-/* Parameter Jacobian dx'/dp, 4 x 16; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 4 x 16; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
 int aero_parameter_jacobian(const struct aero_state *x, const struct aero_inputs *u, const struct aero_parameters *p, double by_p[4][16]);
 
-/* Jacobians of the measured outputs.
- */
+/* Jacobians of the measured outputs. */
 void aero_output_jacobian(const struct aero_state *x, const struct aero_parameters *p, double by_x[2][4], double by_p[2][16]);
 
 #ifdef __cplusplus

@@ -35,7 +35,11 @@ void cart_pole_mass_matrix(const struct cart_pole_coordinates *q, const struct c
     m[1][1] = J + p->l * mc_pole_z;
 }
 
-void cart_pole_bias(const struct cart_pole_coordinates *q, const struct cart_pole_rates *v, const struct cart_pole_parameters *p, double h[2])
+void cart_pole_bias(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_rates *v,
+    const struct cart_pole_parameters *p,
+    double h[2])
 {
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
@@ -49,25 +53,32 @@ void cart_pole_bias(const struct cart_pole_coordinates *q, const struct cart_pol
     h[1] = mc_pole_z * a_pole_x; /* theta */
 }
 
-void cart_pole_velocity_products(const struct cart_pole_coordinates *q, const struct cart_pole_rates *v, const struct cart_pole_parameters *p, double c[2])
+void cart_pole_velocity_products(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_rates *v,
+    const struct cart_pole_parameters *p,
+    double c[2])
 {
     const double s_theta = sin(q->theta);
     /* frame pole on rail */
-    const double f_pole_z = -p->m_p * p->l * v->theta * v->theta;
-    c[0] = f_pole_z * s_theta; /* x */
+    const double f_moving_pole_z = -p->m_p * p->l * v->theta * v->theta;
+    c[0] = f_moving_pole_z * s_theta; /* x */
     c[1] = 0.0; /* theta */
 }
 
 void cart_pole_gravity(const struct cart_pole_coordinates *q, const struct cart_pole_parameters *p, double g[2])
 {
     const double s_theta = sin(q->theta);
-    /* gravity */
     const double g_theta = -p->m_p * p->l * p->g * s_theta;
     g[0] = 0.0; /* x */
     g[1] = g_theta; /* theta */
 }
 
-void cart_pole_dissipation(const struct cart_pole_coordinates *q, const struct cart_pole_rates *v, const struct cart_pole_parameters *p, double d[2])
+void cart_pole_dissipation(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_rates *v,
+    const struct cart_pole_parameters *p,
+    double d[2])
 {
     (void)q;
     (void)v;
@@ -76,7 +87,11 @@ void cart_pole_dissipation(const struct cart_pole_coordinates *q, const struct c
     d[1] = 0.0; /* theta */
 }
 
-void cart_pole_generalized_force(const struct cart_pole_coordinates *q, const struct cart_pole_inputs *u, const struct cart_pole_parameters *p, double f[2])
+void cart_pole_generalized_force(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    double f[2])
 {
     (void)q;
     (void)p;
@@ -96,12 +111,14 @@ void cart_pole_input_map(const struct cart_pole_coordinates *q, const struct car
     s[0][0] = 1.0; /* x */
 }
 
-double cart_pole_kinetic_energy(const struct cart_pole_coordinates *q, const struct cart_pole_rates *v, const struct cart_pole_parameters *p)
+double cart_pole_kinetic_energy(
+    const struct cart_pole_coordinates *q,
+    const struct cart_pole_rates *v,
+    const struct cart_pole_parameters *p)
 {
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double J = p->m_p * p->l * p->l / 3.0;
-    /* frame pole on rail */
     const double s_theta_x_dot = s_theta * v->x;
     /* body rod on pole */
     const double rod_1 = c_theta * v->x + p->l * v->theta;
@@ -115,7 +132,12 @@ double cart_pole_potential_energy(const struct cart_pole_coordinates *q, const s
     return p->m_p * p->l * p->g * c_theta;
 }
 
-void cart_pole_inverse_dynamics(const struct cart_pole_state *x, const struct cart_pole_accelerations *a, const struct cart_pole_inputs *u, const struct cart_pole_parameters *p, double r[2])
+void cart_pole_inverse_dynamics(
+    const struct cart_pole_state *x,
+    const struct cart_pole_accelerations *a,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    double r[2])
 {
     const struct cart_pole_coordinates *q = &x->q;
     const struct cart_pole_rates *v = &x->v;
@@ -127,13 +149,13 @@ void cart_pole_inverse_dynamics(const struct cart_pole_state *x, const struct ca
     /* frame pole on rail */
     const double a_pole_z = p->g * c_theta + s_theta * a->x;
     const double a_pole_x = c_theta * a->x - p->g * s_theta;
-    const double f_pole_x = p->m_p * a_pole_x + mc_pole_z * a->theta;
-    const double f_pole_z = p->m_p * a_pole_z - mc_pole_z * v->theta * v->theta;
-    const double n_pole_y = a->theta * (J + p->l * mc_pole_z) + mc_pole_z * a_pole_x;
+    const double f_net_pole_x = p->m_p * a_pole_x + mc_pole_z * a->theta;
+    const double f_net_pole_z = p->m_p * a_pole_z - mc_pole_z * v->theta * v->theta;
+    const double n_net_pole_y = a->theta * (J + p->l * mc_pole_z) + mc_pole_z * a_pole_x;
     /* frame rail on ground */
-    const double f_rail_x = p->m_c * a->x + f_pole_z * s_theta + f_pole_x * c_theta;
-    r[0] = f_rail_x - u->F; /* x */
-    r[1] = n_pole_y; /* theta */
+    const double f_net_rail_x = p->m_c * a->x + f_net_pole_z * s_theta + f_net_pole_x * c_theta;
+    r[0] = f_net_rail_x - u->F; /* x */
+    r[1] = n_net_pole_y; /* theta */
 }
 
 void cart_pole_outputs(const struct cart_pole_state *x, const struct cart_pole_parameters *p, struct cart_pole_outputs *y)
@@ -144,7 +166,11 @@ void cart_pole_outputs(const struct cart_pole_state *x, const struct cart_pole_p
     y->theta = q->theta;
 }
 
-int cart_pole_forward_dynamics(const struct cart_pole_state *x, const struct cart_pole_inputs *u, const struct cart_pole_parameters *p, struct cart_pole_accelerations *a)
+int cart_pole_forward_dynamics(
+    const struct cart_pole_state *x,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    struct cart_pole_accelerations *a)
 {
     const struct cart_pole_coordinates *q = &x->q;
     const struct cart_pole_rates *v = &x->v;
@@ -156,7 +182,7 @@ int cart_pole_forward_dynamics(const struct cart_pole_state *x, const struct car
     const double I_pole_xx = J + p->l * mc_pole_z;
     /* frame pole on rail */
     const double a_pole_x = -p->g * s_theta;
-    const double n_pole_y = mc_pole_z * a_pole_x;
+    const double n_weight_pole_y = mc_pole_z * a_pole_x;
     const double f_pole_z = p->m_p * p->g * c_theta - mc_pole_z * v->theta * v->theta;
     const double f_rail_x = f_pole_z * s_theta + p->m_p * a_pole_x * c_theta;
     const double M_x_theta = mc_pole_z * c_theta;
@@ -164,8 +190,8 @@ int cart_pole_forward_dynamics(const struct cart_pole_state *x, const struct car
     const double inv_theta = 1.0 / I_pole_xx;
     const double l_theta_x = M_x_theta * inv_theta;
     const double pivot_x = p->m_c + p->m_p - M_x_theta * l_theta_x;
-    const double x_ddot = (u->F - f_rail_x + n_pole_y * l_theta_x) / pivot_x;
-    const double theta_ddot = -n_pole_y * inv_theta - l_theta_x * x_ddot;
+    const double x_ddot = (u->F - f_rail_x + n_weight_pole_y * l_theta_x) / pivot_x;
+    const double theta_ddot = -n_weight_pole_y * inv_theta - l_theta_x * x_ddot;
     if (!(I_pole_xx > 0.0)) {
         return 2;
     }
@@ -177,7 +203,13 @@ int cart_pole_forward_dynamics(const struct cart_pole_state *x, const struct car
     return 0;
 }
 
-int cart_pole_linearize(const struct cart_pole_state *x, const struct cart_pole_inputs *u, const struct cart_pole_parameters *p, double dx[4], double a[4][4], double b[4][1])
+int cart_pole_linearize(
+    const struct cart_pole_state *x,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][1])
 {
     const struct cart_pole_coordinates *q = &x->q;
     const struct cart_pole_rates *v = &x->v;
@@ -188,30 +220,31 @@ int cart_pole_linearize(const struct cart_pole_state *x, const struct cart_pole_
     const double mc_pole_z = p->m_p * p->l;
     const double I_pole_xx = J + p->l * mc_pole_z;
     /* frame pole on rail */
-    const double f_pole_z = -mc_pole_z * v->theta * v->theta;
+    const double f_moving_pole_z = -mc_pole_z * v->theta * v->theta;
     const double a_pole_z = p->g * c_theta;
     const double a_pole_x = -p->g * s_theta;
-    const double n_pole_y = mc_pole_z * a_pole_x;
-    const double f_rail_x = s_theta * (p->m_p * a_pole_z + f_pole_z) + p->m_p * a_pole_x * c_theta;
+    const double n_weight_pole_y = mc_pole_z * a_pole_x;
+    const double f_rail_x = s_theta * (p->m_p * a_pole_z + f_moving_pole_z) + p->m_p * a_pole_x * c_theta;
     const double M_x_theta = mc_pole_z * c_theta;
     /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / I_pole_xx;
     const double l_theta_x = M_x_theta * inv_theta;
     const double pivot_x = p->m_c + p->m_p - M_x_theta * l_theta_x;
     const double inv_x = 1.0 / pivot_x;
-    const double x_ddot = inv_x * (u->F - f_rail_x + n_pole_y * l_theta_x);
-    const double theta_ddot = -n_pole_y * inv_theta - l_theta_x * x_ddot;
-    /* slopes of the balance of forces, at the accelerations found */
+    const double x_ddot = inv_x * (u->F - f_rail_x + n_weight_pole_y * l_theta_x);
+    const double theta_ddot = -n_weight_pole_y * inv_theta - l_theta_x * x_ddot;
     const double a_pole_z_plus_x_ddot_s_theta = a_pole_z + x_ddot * s_theta;
+    /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = p->m_p * (x_ddot * c_theta + a_pole_x);
     const double slopes_2 = p->m_p * a_pole_z_plus_x_ddot_s_theta;
-    const double slopes_3 = s_theta * (slopes_1 + mc_pole_z * theta_ddot);
-    const double slopes_4 = mc_pole_z * a_pole_z_plus_x_ddot_s_theta;
-    const double slopes_5 = c_theta * (slopes_2 + f_pole_z) + slopes_1 * s_theta;
+    const double slopes_3 = c_theta * (slopes_2 + f_moving_pole_z);
+    const double slopes_4 = s_theta * (slopes_1 + mc_pole_z * theta_ddot);
+    const double slopes_5 = mc_pole_z * a_pole_z_plus_x_ddot_s_theta;
+    const double slopes_6 = slopes_3 + slopes_1 * s_theta;
     /* derivatives with respect to theta */
-    const double by_theta_1 = slopes_3 + slopes_2 * c_theta - slopes_5;
-    const double d_x_ddot_by_theta = inv_x * (by_theta_1 - l_theta_x * slopes_4);
-    const double d_theta_ddot_by_theta = inv_theta * slopes_4 - l_theta_x * d_x_ddot_by_theta;
+    const double by_theta_1 = slopes_4 + slopes_2 * c_theta - slopes_6;
+    const double d_x_ddot_by_theta = inv_x * (by_theta_1 - l_theta_x * slopes_5);
+    const double d_theta_ddot_by_theta = inv_theta * slopes_5 - l_theta_x * d_x_ddot_by_theta;
     /* derivatives with respect to theta_dot */
     const double d_x_ddot_by_theta_dot = 2.0 * inv_x * mc_pole_z * s_theta * v->theta;
     if (!(I_pole_xx > 0.0)) {
@@ -245,7 +278,11 @@ int cart_pole_linearize(const struct cart_pole_state *x, const struct cart_pole_
     return 0;
 }
 
-int cart_pole_parameter_jacobian(const struct cart_pole_state *x, const struct cart_pole_inputs *u, const struct cart_pole_parameters *p, double by_p[4][4])
+int cart_pole_parameter_jacobian(
+    const struct cart_pole_state *x,
+    const struct cart_pole_inputs *u,
+    const struct cart_pole_parameters *p,
+    double by_p[4][4])
 {
     const struct cart_pole_coordinates *q = &x->q;
     const struct cart_pole_rates *v = &x->v;
@@ -255,11 +292,11 @@ int cart_pole_parameter_jacobian(const struct cart_pole_state *x, const struct c
     /* body rod on pole */
     const double mc_pole_z = p->m_p * p->l;
     const double I_pole_xx = p->m_p * l_sq / 3.0 + p->l * mc_pole_z;
-    /* frame pole on rail */
     const double theta_dot_sq = v->theta * v->theta;
+    /* frame pole on rail */
     const double a_pole_z = p->g * c_theta;
     const double a_pole_x = -p->g * s_theta;
-    const double n_pole_y = mc_pole_z * a_pole_x;
+    const double n_weight_pole_y = mc_pole_z * a_pole_x;
     const double f_pole_z = p->m_p * a_pole_z - mc_pole_z * theta_dot_sq;
     const double f_rail_x = f_pole_z * s_theta + p->m_p * a_pole_x * c_theta;
     const double mc_pole_z_s_theta = mc_pole_z * s_theta;
@@ -269,14 +306,19 @@ int cart_pole_parameter_jacobian(const struct cart_pole_state *x, const struct c
     const double l_theta_x = M_x_theta * inv_theta;
     const double pivot_x = p->m_c + p->m_p - M_x_theta * l_theta_x;
     const double inv_x = 1.0 / pivot_x;
-    const double x_ddot = inv_x * (u->F - f_rail_x + n_pole_y * l_theta_x);
-    const double theta_ddot = -n_pole_y * inv_theta - l_theta_x * x_ddot;
-    /* slopes of the balance of forces, at the accelerations found */
+    const double x_ddot = inv_x * (u->F - f_rail_x + n_weight_pole_y * l_theta_x);
+    const double theta_ddot = -n_weight_pole_y * inv_theta - l_theta_x * x_ddot;
     const double x_ddot_c_theta_plus_a_pole_x = x_ddot * c_theta + a_pole_x;
+    /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = theta_ddot * (l_sq + l_sq / 3.0) + p->l * x_ddot_c_theta_plus_a_pole_x;
     const double slopes_2 = s_theta * (a_pole_z + x_ddot * s_theta - p->l * theta_dot_sq);
     const double slopes_3 = slopes_2 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p->l * theta_ddot);
     const double slopes_4 = p->m_p * x_ddot_c_theta_plus_a_pole_x + theta_ddot * (2.0 * p->m_p * p->l / 3.0 + 2.0 * mc_pole_z);
+    const double m_p_s_theta_c_theta = p->m_p * s_theta * c_theta;
+    /* derivatives with respect to g */
+    const double by_g_1 = p->m_p * c_theta * s_theta - m_p_s_theta_c_theta;
+    const double d_x_ddot_by_g = inv_x * (by_g_1 - mc_pole_z_s_theta * l_theta_x);
+    const double d_theta_ddot_by_g = mc_pole_z_s_theta * inv_theta - l_theta_x * d_x_ddot_by_g;
     /* derivatives with respect to m_c */
     const double d_x_ddot_by_m_c = -inv_x * x_ddot;
     /* derivatives with respect to m_p */
@@ -286,10 +328,6 @@ int cart_pole_parameter_jacobian(const struct cart_pole_state *x, const struct c
     const double by_l_1 = p->m_p * theta_dot_sq * s_theta - p->m_p * theta_ddot * c_theta;
     const double d_x_ddot_by_l = inv_x * (by_l_1 + l_theta_x * slopes_4);
     const double d_theta_ddot_by_l = -inv_theta * slopes_4 - l_theta_x * d_x_ddot_by_l;
-    /* derivatives with respect to g */
-    const double by_g_1 = p->m_p * c_theta * s_theta - p->m_p * s_theta * c_theta;
-    const double d_x_ddot_by_g = inv_x * (by_g_1 - mc_pole_z_s_theta * l_theta_x);
-    const double d_theta_ddot_by_g = mc_pole_z_s_theta * inv_theta - l_theta_x * d_x_ddot_by_g;
     if (!(I_pole_xx > 0.0)) {
         return 2;
     }

@@ -76,60 +76,70 @@ struct chain3_state {
 /* The values that the rig's file gives. */
 void chain3_nominal(struct chain3_parameters *p);
 
-/* Mass matrix M(q), 3 x 3, symmetric; rows (q1, q2, q3).
- */
+/* Mass matrix M(q), 3 x 3, symmetric; rows (q1, q2, q3). */
 void chain3_mass_matrix(const struct chain3_coordinates *q, const struct chain3_parameters *p, double m[3][3]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (q1, q2, q3).
- */
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (q1, q2, q3). */
 void chain3_bias(const struct chain3_coordinates *q, const struct chain3_rates *v, const struct chain3_parameters *p, double h[3]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (q1, q2, q3).
- */
-void chain3_velocity_products(const struct chain3_coordinates *q, const struct chain3_rates *v, const struct chain3_parameters *p, double c[3]);
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (q1, q2, q3). */
+void chain3_velocity_products(
+    const struct chain3_coordinates *q,
+    const struct chain3_rates *v,
+    const struct chain3_parameters *p,
+    double c[3]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (q1, q2, q3).
- */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (q1, q2, q3). */
 void chain3_gravity(const struct chain3_coordinates *q, const struct chain3_parameters *p, double g[3]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (q1, q2, q3).
- */
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (q1, q2, q3). */
 void chain3_dissipation(const struct chain3_coordinates *q, const struct chain3_rates *v, const struct chain3_parameters *p, double d[3]);
 
-/* Generalized force Q [N m] of the inputs; rows (q1, q2, q3).
- */
-void chain3_generalized_force(const struct chain3_coordinates *q, const struct chain3_inputs *u, const struct chain3_parameters *p, double f[3]);
+/* Generalized force Q [N m] of the inputs; rows (q1, q2, q3). */
+void chain3_generalized_force(
+    const struct chain3_coordinates *q,
+    const struct chain3_inputs *u,
+    const struct chain3_parameters *p,
+    double f[3]);
 
-/* Input map dQ/du, 3 x 3; rows (q1, q2, q3), columns (tau_1, tau_2, tau_3).
- */
+/* Input map dQ/du, 3 x 3; rows (q1, q2, q3), columns (tau_1, tau_2, tau_3). */
 void chain3_input_map(const struct chain3_coordinates *q, const struct chain3_parameters *p, double s[3][3]);
 
-/* Kinetic energy T(q, v) [J].
- */
+/* Kinetic energy T(q, v) [J]. */
 double chain3_kinetic_energy(const struct chain3_coordinates *q, const struct chain3_rates *v, const struct chain3_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double chain3_potential_energy(const struct chain3_coordinates *q, const struct chain3_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void chain3_inverse_dynamics(const struct chain3_state *x, const struct chain3_accelerations *a, const struct chain3_inputs *u, const struct chain3_parameters *p, double r[3]);
+void chain3_inverse_dynamics(
+    const struct chain3_state *x,
+    const struct chain3_accelerations *a,
+    const struct chain3_inputs *u,
+    const struct chain3_parameters *p,
+    double r[3]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
 void chain3_outputs(const struct chain3_state *x, const struct chain3_parameters *p, struct chain3_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 215 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int chain3_forward_dynamics(const struct chain3_state *x, const struct chain3_inputs *u, const struct chain3_parameters *p, struct chain3_accelerations *a);
+int chain3_forward_dynamics(
+    const struct chain3_state *x,
+    const struct chain3_inputs *u,
+    const struct chain3_parameters *p,
+    struct chain3_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 683 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -144,17 +154,27 @@ int chain3_forward_dynamics(const struct chain3_state *x, const struct chain3_in
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int chain3_linearize(const struct chain3_state *x, const struct chain3_inputs *u, const struct chain3_parameters *p, double dx[6], double a[6][6], double b[6][3]);
+int chain3_linearize(
+    const struct chain3_state *x,
+    const struct chain3_inputs *u,
+    const struct chain3_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][3]);
 
-/* Parameter Jacobian dx'/dp, 6 x 11; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 6 x 11; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int chain3_parameter_jacobian(const struct chain3_state *x, const struct chain3_inputs *u, const struct chain3_parameters *p, double by_p[6][11]);
+int chain3_parameter_jacobian(
+    const struct chain3_state *x,
+    const struct chain3_inputs *u,
+    const struct chain3_parameters *p,
+    double by_p[6][11]);
 
-/* Jacobians of the measured outputs.
- */
+/* Jacobians of the measured outputs. */
 void chain3_output_jacobian(const struct chain3_state *x, const struct chain3_parameters *p, double by_x[3][6], double by_p[3][11]);
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 /*
  * Double pendulum with quasi-direct drives and a belt to the elbow.
- * Generated from `double_pendulum.rig` (model 9f10532e); edit the rig, not this file.
+ * Generated from `double_pendulum.rig` (model b0557872); edit the rig, not this file.
  *
  * Both motors sit at the shoulder end; the second one drives the elbow through a belt, so that its rotor
  * turns by q1 - n q2. Both rotors turn n times as fast as their joints. Identified numbers of design A.0,
@@ -9,7 +9,7 @@
  * b v + c_f atan(100 v); here the same level, c_f pi/2, and the same slope at rest in one regularized
  * Coulomb law. q1 = 0 hangs; q2 relative to the upper link.
  *
- * 80 operations forward, 177 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 83 operations forward, 182 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -39,16 +39,14 @@ void double_pendulum_nominal(struct double_pendulum_parameters *p)
 void double_pendulum_mass_matrix(const struct double_pendulum_coordinates *q, const struct double_pendulum_parameters *p, double m[2][2])
 {
     const double c_q2 = cos(q->q2);
-    /* frame lower on upper */
     const double m_2_r_2_c_q2 = p->m_2 * p->r_2 * c_q2;
     const double I_2_plus_l_1_m_2_r_2_c_q2 = p->I_2 + p->l_1 * m_2_r_2_c_q2;
     /* frame upper on ground */
     const double upper_1 = p->I_1 + p->I_2 + p->l_1 * (m_2_r_2_c_q2 + m_2_r_2_c_q2 + p->m_2 * p->l_1);
-    /* kinetic energy rotor_1 */
     const double half_I_r = 0.5 * p->I_r;
-    /* kinetic energy rotor_2 */
     const double two_n = 2.0 * p->n;
     const double two_n_2 = 2.0 * p->n;
+    /* kinetic energy rotor_2 */
     const double M_q1_q1 = upper_1 + p->I_r + p->n * half_I_r * two_n;
     const double M_q2_q2 = p->I_2 + p->n * half_I_r * two_n_2;
     m[0][0] = M_q1_q1; /* q1 */
@@ -57,7 +55,11 @@ void double_pendulum_mass_matrix(const struct double_pendulum_coordinates *q, co
     m[1][1] = M_q2_q2;
 }
 
-void double_pendulum_bias(const struct double_pendulum_coordinates *q, const struct double_pendulum_rates *v, const struct double_pendulum_parameters *p, double h[2])
+void double_pendulum_bias(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_rates *v,
+    const struct double_pendulum_parameters *p,
+    double h[2])
 {
     const double s_q1 = sin(q->q1);
     const double c_q1 = cos(q->q1);
@@ -82,7 +84,11 @@ void double_pendulum_bias(const struct double_pendulum_coordinates *q, const str
     h[1] = -n_lower_y; /* q2 */
 }
 
-void double_pendulum_velocity_products(const struct double_pendulum_coordinates *q, const struct double_pendulum_rates *v, const struct double_pendulum_parameters *p, double c[2])
+void double_pendulum_velocity_products(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_rates *v,
+    const struct double_pendulum_parameters *p,
+    double c[2])
 {
     const double s_q2 = sin(q->q2);
     const double c_q2 = cos(q->q2);
@@ -92,11 +98,11 @@ void double_pendulum_velocity_products(const struct double_pendulum_coordinates 
     const double omega_lower_y = -v->q1 - v->q2;
     const double a_lower_1_z = p->l_1 * v->q1 * v->q1;
     const double a_lower_x = a_lower_1_z * s_q2;
-    const double f_lower_z = p->m_2 * a_lower_1_z * c_q2 - mc_lower_z * omega_lower_y * omega_lower_y;
-    const double n_lower_y = mc_lower_z * a_lower_x;
-    const double f_lower_1_x = p->m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
-    c[0] = p->l_1 * f_lower_1_x - n_lower_y; /* q1 */
-    c[1] = -n_lower_y; /* q2 */
+    const double f_moving_lower_z = p->m_2 * a_lower_1_z * c_q2 - mc_lower_z * omega_lower_y * omega_lower_y;
+    const double n_moving_lower_y = mc_lower_z * a_lower_x;
+    const double f_moving_lower_1_x = p->m_2 * a_lower_x * c_q2 - f_moving_lower_z * s_q2;
+    c[0] = p->l_1 * f_moving_lower_1_x - n_moving_lower_y; /* q1 */
+    c[1] = -n_moving_lower_y; /* q2 */
 }
 
 void double_pendulum_gravity(const struct double_pendulum_coordinates *q, const struct double_pendulum_parameters *p, double g[2])
@@ -105,10 +111,8 @@ void double_pendulum_gravity(const struct double_pendulum_coordinates *q, const 
     const double c_q1 = cos(q->q1);
     const double s_q2 = sin(q->q2);
     const double c_q2 = cos(q->q2);
-    /* body lower_link on lower */
     const double r_2_c_q2 = p->r_2 * c_q2;
     const double r_2_c_q1_s_q2 = p->r_2 * c_q1 * s_q2;
-    /* gravity */
     const double gravity_1 = p->m_2 * p->g * (s_q1 * (p->l_1 + r_2_c_q2) + r_2_c_q1_s_q2);
     const double g_q1 = p->m_1 * p->r_1 * p->g * s_q1 + gravity_1;
     const double g_q2 = p->m_2 * p->g * (r_2_c_q1_s_q2 + r_2_c_q2 * s_q1);
@@ -116,7 +120,11 @@ void double_pendulum_gravity(const struct double_pendulum_coordinates *q, const 
     g[1] = g_q2; /* q2 */
 }
 
-void double_pendulum_dissipation(const struct double_pendulum_coordinates *q, const struct double_pendulum_rates *v, const struct double_pendulum_parameters *p, double d[2])
+void double_pendulum_dissipation(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_rates *v,
+    const struct double_pendulum_parameters *p,
+    double d[2])
 {
     (void)q;
     /* friction of q1 */
@@ -127,7 +135,11 @@ void double_pendulum_dissipation(const struct double_pendulum_coordinates *q, co
     d[1] = d_q2; /* q2 */
 }
 
-void double_pendulum_generalized_force(const struct double_pendulum_coordinates *q, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double f[2])
+void double_pendulum_generalized_force(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double f[2])
 {
     (void)q;
     (void)p;
@@ -148,30 +160,31 @@ void double_pendulum_input_map(const struct double_pendulum_coordinates *q, cons
     s[1][1] = 1.0; /* q2 */
 }
 
-double double_pendulum_kinetic_energy(const struct double_pendulum_coordinates *q, const struct double_pendulum_rates *v, const struct double_pendulum_parameters *p)
+double double_pendulum_kinetic_energy(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_rates *v,
+    const struct double_pendulum_parameters *p)
 {
     const double s_q2 = sin(q->q2);
     const double c_q2 = cos(q->q2);
     /* frame lower on upper */
     const double omega_lower_y = -v->q1 - v->q2;
-    /* kinetic energy rotor_1 */
     const double half_I_r = 0.5 * p->I_r;
     const double n_q1_dot = p->n * v->q1;
-    /* kinetic energy rotor_2 */
     const double q1_dot_minus_n_q2_dot = v->q1 - p->n * v->q2;
+    /* kinetic energy rotor_2 */
     const double rotor_2_1 = half_I_r * q1_dot_minus_n_q2_dot * q1_dot_minus_n_q2_dot;
-    /* frame lower on upper */
+    const double rotor_2_2 = half_I_r * n_q1_dot * n_q1_dot + rotor_2_1;
     const double l_1_q1_dot = p->l_1 * v->q1;
     const double l_1_q1_dot_s_q2 = l_1_q1_dot * s_q2;
-    /* body upper_link on upper */
     const double r_1_q1_dot = p->r_1 * v->q1;
-    const double upper_link_1 = v->q1 * v->q1 * (p->I_1 - p->m_1 * p->r_1 * p->r_1);
+    /* body upper_link on upper */
+    const double upper_link_1 = p->m_1 * r_1_q1_dot * r_1_q1_dot + v->q1 * v->q1 * (p->I_1 - p->m_1 * p->r_1 * p->r_1);
     /* body lower_link on lower */
     const double lower_link_1 = l_1_q1_dot * c_q2 - p->r_2 * omega_lower_y;
     const double lower_link_2 = p->m_2 * (lower_link_1 * lower_link_1 + l_1_q1_dot_s_q2 * l_1_q1_dot_s_q2);
-    const double lower_link_3 = lower_link_2 + omega_lower_y * omega_lower_y * (p->I_2 - p->m_2 * p->r_2 * p->r_2);
-    const double lower_link_4 = 0.5 * (p->m_1 * r_1_q1_dot * r_1_q1_dot + upper_link_1) + 0.5 * lower_link_3;
-    return half_I_r * n_q1_dot * n_q1_dot + rotor_2_1 + lower_link_4;
+    const double lower_link_3 = 0.5 * (lower_link_2 + omega_lower_y * omega_lower_y * (p->I_2 - p->m_2 * p->r_2 * p->r_2));
+    return rotor_2_2 + 0.5 * upper_link_1 + lower_link_3;
 }
 
 double double_pendulum_potential_energy(const struct double_pendulum_coordinates *q, const struct double_pendulum_parameters *p)
@@ -180,13 +193,18 @@ double double_pendulum_potential_energy(const struct double_pendulum_coordinates
     const double c_q1 = cos(q->q1);
     const double s_q2 = sin(q->q2);
     const double c_q2 = cos(q->q2);
-    /* body lower_link on lower */
     const double l_1_plus_r_2_c_q2_c_q1 = c_q1 * (p->l_1 + p->r_2 * c_q2);
+    /* body lower_link on lower */
     const double lower_link_1 = p->m_2 * p->g * (p->r_2 * s_q1 * s_q2 - l_1_plus_r_2_c_q2_c_q1);
     return lower_link_1 - p->m_1 * p->r_1 * p->g * c_q1;
 }
 
-void double_pendulum_inverse_dynamics(const struct double_pendulum_state *x, const struct double_pendulum_accelerations *a, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double r[2])
+void double_pendulum_inverse_dynamics(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_accelerations *a,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double r[2])
 {
     const struct double_pendulum_coordinates *q = &x->q;
     const struct double_pendulum_rates *v = &x->v;
@@ -207,9 +225,7 @@ void double_pendulum_inverse_dynamics(const struct double_pendulum_state *x, con
     /* frame lower on upper */
     const double a_lower_1_z = p->l_1 * v->q1 * v->q1 + p->g * c_q1;
     const double a_lower_1_x = a_upper_x + p->l_1 * a->q1;
-    /* kinetic energy rotor_1 */
     const double half_I_r = 0.5 * p->I_r;
-    /* kinetic energy rotor_2 */
     const double two_n = 2.0 * p->n;
     const double two_n_2 = 2.0 * p->n;
     /* gravity */
@@ -217,19 +233,22 @@ void double_pendulum_inverse_dynamics(const struct double_pendulum_state *x, con
     /* frame lower on upper */
     const double a_lower_z = a_lower_1_z * c_q2 - a_lower_1_x * s_q2;
     const double a_lower_x = a_lower_1_z * s_q2 + a_lower_1_x * c_q2;
-    const double f_lower_x = p->m_2 * a_lower_x + mc_lower_z * alpha_lower_y;
-    const double f_lower_z = p->m_2 * a_lower_z - mc_lower_z * omega_lower_y * omega_lower_y;
-    const double n_lower_y = p->I_2 * alpha_lower_y + mc_lower_z * a_lower_x;
-    const double f_lower_1_x = f_lower_x * c_q2 - f_lower_z * s_q2;
+    const double f_net_lower_x = p->m_2 * a_lower_x + mc_lower_z * alpha_lower_y;
+    const double f_net_lower_z = p->m_2 * a_lower_z - mc_lower_z * omega_lower_y * omega_lower_y;
+    const double n_net_lower_y = p->I_2 * alpha_lower_y + mc_lower_z * a_lower_x;
+    const double f_net_lower_1_x = f_net_lower_x * c_q2 - f_net_lower_z * s_q2;
     /* frame upper on ground */
-    const double n_upper_y = n_lower_y - p->m_1 * p->r_1 * a_upper_x - p->I_1 * a->q1 - p->l_1 * f_lower_1_x;
-    const double upper_1 = a->q1 * (p->I_r + p->n * half_I_r * two_n) - n_upper_y - u->tau_1;
-    const double upper_2 = n_lower_y + u->tau_2 + half_I_r * two_n * a->q1;
+    const double n_net_upper_y = n_net_lower_y - p->m_1 * p->r_1 * a_upper_x - p->I_1 * a->q1 - p->l_1 * f_net_lower_1_x;
+    const double upper_1 = a->q1 * (p->I_r + p->n * half_I_r * two_n) - n_net_upper_y - u->tau_1;
+    const double upper_2 = n_net_lower_y + u->tau_2 + half_I_r * two_n * a->q1;
     r[0] = d_q1 + upper_1 - half_I_r * two_n_2 * a->q2; /* q1 */
     r[1] = d_q2 - upper_2 + p->n * half_I_r * two_n_2 * a->q2; /* q2 */
 }
 
-void double_pendulum_outputs(const struct double_pendulum_state *x, const struct double_pendulum_parameters *p, struct double_pendulum_outputs *y)
+void double_pendulum_outputs(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_parameters *p,
+    struct double_pendulum_outputs *y)
 {
     const struct double_pendulum_coordinates *q = &x->q;
     (void)p;
@@ -237,7 +256,11 @@ void double_pendulum_outputs(const struct double_pendulum_state *x, const struct
     y->q2 = q->q2;
 }
 
-int double_pendulum_forward_dynamics(const struct double_pendulum_state *x, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, struct double_pendulum_accelerations *a)
+int double_pendulum_forward_dynamics(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    struct double_pendulum_accelerations *a)
 {
     const struct double_pendulum_coordinates *q = &x->q;
     const struct double_pendulum_rates *v = &x->v;
@@ -254,6 +277,7 @@ int double_pendulum_forward_dynamics(const struct double_pendulum_state *x, cons
     /* frame lower on upper */
     const double omega_lower_y = -v->q1 - v->q2;
     const double mc_lower_z_c_q2 = mc_lower_z * c_q2;
+    const double lower_1 = p->I_2 - p->l_1 * mc_lower_z_c_q2;
     /* frame upper on ground */
     const double a_upper_x = p->g * s_q1;
     const double upper_1 = p->I_1 + p->I_2 + p->l_1 * (p->m_2 * p->l_1 - mc_lower_z_c_q2 - mc_lower_z_c_q2);
@@ -266,21 +290,21 @@ int double_pendulum_forward_dynamics(const struct double_pendulum_state *x, cons
     const double f_lower_1_x = p->m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
     /* frame upper on ground */
     const double n_upper_y = n_lower_y - p->m_1 * p->r_1 * a_upper_x - p->l_1 * f_lower_1_x;
-    /* kinetic energy rotor_1 */
     const double half_I_r = 0.5 * p->I_r;
-    /* kinetic energy rotor_2 */
     const double two_n = 2.0 * p->n;
+    const double two_n_2 = 2.0 * p->n;
+    /* kinetic energy rotor_2 */
     const double M_q1_q1 = upper_1 + p->I_r + p->n * half_I_r * two_n;
-    const double rotor_2_1 = p->I_2 - p->l_1 * mc_lower_z_c_q2 - half_I_r * two_n;
-    const double M_q2_q2 = p->I_2 + 2.0 * p->n * p->n * half_I_r;
+    const double lower_1_minus_half_I_r_two_n = lower_1 - half_I_r * two_n;
+    const double M_q2_q2 = p->I_2 + p->n * half_I_r * two_n_2;
     /* balance of forces */
     const double tau_q2 = n_lower_y - d_q2 + u->tau_2;
     /* M = L^T D L and back-substitution */
     const double inv_q2 = 1.0 / M_q2_q2;
-    const double l_q2_q1 = rotor_2_1 * inv_q2;
-    const double pivot_q1 = M_q1_q1 - rotor_2_1 * l_q2_q1;
-    const double q1_ddot = (n_upper_y - tau_q2 * l_q2_q1 - d_q1 + u->tau_1) / pivot_q1;
-    const double q2_ddot = tau_q2 * inv_q2 - l_q2_q1 * q1_ddot;
+    const double u_q1_q2 = inv_q2 * (lower_1 - half_I_r * two_n_2);
+    const double pivot_q1 = M_q1_q1 - lower_1_minus_half_I_r_two_n * u_q1_q2;
+    const double q1_ddot = (n_upper_y - tau_q2 * u_q1_q2 - d_q1 + u->tau_1) / pivot_q1;
+    const double q2_ddot = tau_q2 * inv_q2 - lower_1_minus_half_I_r_two_n * inv_q2 * q1_ddot;
     if (!(M_q2_q2 > 0.0)) {
         return 2;
     }
@@ -292,7 +316,13 @@ int double_pendulum_forward_dynamics(const struct double_pendulum_state *x, cons
     return 0;
 }
 
-int double_pendulum_linearize(const struct double_pendulum_state *x, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double dx[4], double a[4][4], double b[4][2])
+int double_pendulum_linearize(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][2])
 {
     const struct double_pendulum_coordinates *q = &x->q;
     const struct double_pendulum_rates *v = &x->v;
@@ -316,16 +346,17 @@ int double_pendulum_linearize(const struct double_pendulum_state *x, const struc
     const double omega_lower_y = -v->q1 - v->q2;
     const double mc_lower_z_omega_lower_y_sq = mc_lower_z * omega_lower_y * omega_lower_y;
     const double mc_lower_z_c_q2 = mc_lower_z * c_q2;
+    const double lower_1 = p->I_2 - p->l_1 * mc_lower_z_c_q2;
     /* frame upper on ground */
     const double a_upper_z = p->g * c_q1;
     const double a_upper_x = p->g * s_q1;
     const double upper_1 = p->I_1 + p->I_2 + p->l_1 * (p->m_2 * p->l_1 - mc_lower_z_c_q2 - mc_lower_z_c_q2);
-    /* frame lower on upper */
     const double a_upper_x_s_q2 = a_upper_x * s_q2;
     const double a_upper_x_c_q2 = a_upper_x * c_q2;
+    /* frame lower on upper */
     const double a_lower_z = a_upper_z * c_q2 - a_upper_x_s_q2;
-    const double f_lower_x = p->m_2 * (a_upper_z * s_q2 + a_upper_x_c_q2);
-    const double f_lower_1_z = p->m_2 * a_lower_z * c_q2 + f_lower_x * s_q2;
+    const double f_weight_lower_x = p->m_2 * (a_upper_z * s_q2 + a_upper_x_c_q2);
+    const double f_weight_lower_1_z = p->m_2 * a_lower_z * c_q2 + f_weight_lower_x * s_q2;
     const double a_lower_1_z = p->l_1 * v->q1 * v->q1 + a_upper_z;
     const double a_lower_1_z_c_q2 = a_lower_1_z * c_q2;
     const double a_lower_1_z_s_q2 = a_lower_1_z * s_q2;
@@ -335,56 +366,59 @@ int double_pendulum_linearize(const struct double_pendulum_state *x, const struc
     const double f_lower_1_x = p->m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
     /* frame upper on ground */
     const double n_upper_y = mc_upper_z * a_upper_x + n_lower_y - p->l_1 * f_lower_1_x;
-    /* kinetic energy rotor_1 */
     const double half_I_r = 0.5 * p->I_r;
-    /* kinetic energy rotor_2 */
     const double two_n = 2.0 * p->n;
+    const double two_n_2 = 2.0 * p->n;
+    /* kinetic energy rotor_2 */
     const double M_q1_q1 = upper_1 + p->I_r + p->n * half_I_r * two_n;
-    const double rotor_2_1 = p->I_2 - p->l_1 * mc_lower_z_c_q2 - half_I_r * two_n;
-    const double M_q2_q2 = p->I_2 + 2.0 * p->n * p->n * half_I_r;
+    const double lower_1_minus_half_I_r_two_n = lower_1 - half_I_r * two_n;
+    const double M_q2_q2 = p->I_2 + p->n * half_I_r * two_n_2;
     /* balance of forces */
     const double tau_q2 = n_lower_y - d_q2 + u->tau_2;
     /* M = L^T D L and back-substitution */
     const double inv_q2 = 1.0 / M_q2_q2;
-    const double l_q2_q1 = rotor_2_1 * inv_q2;
-    const double pivot_q1 = M_q1_q1 - rotor_2_1 * l_q2_q1;
+    const double l_q2_q1 = lower_1_minus_half_I_r_two_n * inv_q2;
+    const double u_q1_q2 = inv_q2 * (lower_1 - half_I_r * two_n_2);
+    const double pivot_q1 = M_q1_q1 - lower_1_minus_half_I_r_two_n * u_q1_q2;
     const double inv_q1 = 1.0 / pivot_q1;
-    const double q1_ddot = inv_q1 * (n_upper_y - tau_q2 * l_q2_q1 - d_q1 + u->tau_1);
+    const double q1_ddot = inv_q1 * (n_upper_y - tau_q2 * u_q1_q2 - d_q1 + u->tau_1);
     const double q2_ddot = tau_q2 * inv_q2 - l_q2_q1 * q1_ddot;
-    /* derivatives with respect to q1 */
     const double mc_lower_z_a_lower_z = mc_lower_z * a_lower_z;
-    const double by_q1_1 = p->l_1 * f_lower_1_z - mc_upper_z * a_upper_z - mc_lower_z_a_lower_z;
-    const double d_q1_ddot_by_q1 = inv_q1 * (-l_q2_q1 * mc_lower_z_a_lower_z - by_q1_1);
+    /* derivatives with respect to q1 */
+    const double by_q1_1 = mc_upper_z * a_upper_z - u_q1_q2 * mc_lower_z_a_lower_z + mc_lower_z_a_lower_z - p->l_1 * f_weight_lower_1_z;
+    const double d_q1_ddot_by_q1 = inv_q1 * by_q1_1;
     const double d_q2_ddot_by_q1 = inv_q2 * mc_lower_z_a_lower_z - l_q2_q1 * d_q1_ddot_by_q1;
-    /* derivatives with respect to q1_dot */
     const double inv_v_c = 1.0 / p->v_c;
+    /* derivatives with respect to q1_dot */
     const double by_q1_dot_1 = p->b_1 + friction_q1_1 * inv_v_c * (1.0 - tanh_q1_dot_per_v_c * tanh_q1_dot_per_v_c);
     const double two_l_1_q1_dot = 2.0 * p->l_1 * v->q1;
     const double two_mc_lower_z_omega_lower_y = 2.0 * mc_lower_z * omega_lower_y;
     const double two_l_1_q1_dot_s_q2 = two_l_1_q1_dot * s_q2;
     const double by_q1_dot_2 = mc_lower_z * two_l_1_q1_dot_s_q2;
     const double by_q1_dot_3 = s_q2 * (two_mc_lower_z_omega_lower_y + p->m_2 * two_l_1_q1_dot * c_q2);
-    const double by_q1_dot_4 = p->l_1 * (p->m_2 * two_l_1_q1_dot_s_q2 * c_q2 - by_q1_dot_3) - by_q1_dot_2;
-    const double d_q1_ddot_by_q1_dot = inv_q1 * (-l_q2_q1 * by_q1_dot_2 - by_q1_dot_1 - by_q1_dot_4);
+    const double by_q1_dot_4 = p->l_1 * (p->m_2 * two_l_1_q1_dot_s_q2 * c_q2 - by_q1_dot_3);
+    const double by_q1_dot_5 = by_q1_dot_2 - u_q1_q2 * by_q1_dot_2 - by_q1_dot_1 - by_q1_dot_4;
+    const double d_q1_ddot_by_q1_dot = inv_q1 * by_q1_dot_5;
     const double d_q2_ddot_by_q1_dot = inv_q2 * by_q1_dot_2 - l_q2_q1 * d_q1_ddot_by_q1_dot;
     /* derivatives with respect to q2_dot */
     const double by_q2_dot_1 = p->b_2 + friction_q2_1 * inv_v_c * (1.0 - tanh_q2_dot_per_v_c * tanh_q2_dot_per_v_c);
-    const double d_q1_ddot_by_q2_dot = inv_q1 * (p->l_1 * two_mc_lower_z_omega_lower_y * s_q2 + l_q2_q1 * by_q2_dot_1);
+    const double d_q1_ddot_by_q2_dot = inv_q1 * (p->l_1 * two_mc_lower_z_omega_lower_y * s_q2 + u_q1_q2 * by_q2_dot_1);
     const double d_q2_ddot_by_q2_dot = -inv_q2 * by_q2_dot_1 - l_q2_q1 * d_q1_ddot_by_q2_dot;
-    /* slopes of the balance of forces, at the accelerations found */
     const double a_upper_x_plus_l_1_q1_ddot = a_upper_x + p->l_1 * q1_ddot;
+    /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = a_lower_1_z_c_q2 - a_upper_x_plus_l_1_q1_ddot * s_q2;
     const double slopes_2 = p->m_2 * (a_lower_1_z_s_q2 + a_upper_x_plus_l_1_q1_ddot * c_q2);
     const double m_2_slopes_1 = p->m_2 * slopes_1;
-    const double slopes_3 = s_q2 * (slopes_2 - mc_lower_z * (q1_ddot + q2_ddot));
+    const double slopes_3 = c_q2 * (m_2_slopes_1 - mc_lower_z_omega_lower_y_sq);
+    const double slopes_4 = s_q2 * (slopes_2 - mc_lower_z * (q1_ddot + q2_ddot));
     const double mc_lower_z_slopes_1 = mc_lower_z * slopes_1;
-    const double slopes_4 = c_q2 * (m_2_slopes_1 - mc_lower_z_omega_lower_y_sq) - slopes_2 * s_q2;
-    const double slopes_5 = p->l_1 * (m_2_slopes_1 * c_q2 - slopes_3 - slopes_4);
+    const double slopes_3_minus_slopes_2_s_q2 = slopes_3 - slopes_2 * s_q2;
+    const double slopes_5 = p->l_1 * (m_2_slopes_1 * c_q2 - slopes_4 - slopes_3_minus_slopes_2_s_q2);
     /* derivatives with respect to q2 */
-    const double d_q1_ddot_by_q2 = inv_q1 * (mc_lower_z_slopes_1 - l_q2_q1 * mc_lower_z_slopes_1 - slopes_5);
+    const double d_q1_ddot_by_q2 = inv_q1 * (mc_lower_z_slopes_1 - u_q1_q2 * mc_lower_z_slopes_1 - slopes_5);
     const double d_q2_ddot_by_q2 = inv_q2 * mc_lower_z_slopes_1 - l_q2_q1 * d_q1_ddot_by_q2;
-    /* derivatives with respect to tau_1 */
-    const double d_q2_ddot_by_tau_1 = -l_q2_q1 * inv_q1;
+    /* derivatives with respect to tau_2 */
+    const double d_q1_ddot_by_tau_2 = -u_q1_q2 * inv_q1;
     if (!(M_q2_q2 > 0.0)) {
         return 2;
     }
@@ -416,13 +450,19 @@ int double_pendulum_linearize(const struct double_pendulum_state *x, const struc
         }
     }
     b[2][0] = inv_q1; /* q1'' */
-    b[2][1] = d_q2_ddot_by_tau_1;
-    b[3][0] = d_q2_ddot_by_tau_1; /* q2'' */
-    b[3][1] = inv_q2 - l_q2_q1 * d_q2_ddot_by_tau_1;
+    b[2][1] = d_q1_ddot_by_tau_2;
+    b[3][0] = -l_q2_q1 * inv_q1; /* q2'' */
+    b[3][1] = inv_q2 - l_q2_q1 * d_q1_ddot_by_tau_2;
     return 0;
 }
 
-int double_pendulum_linearize_without_friction_slope(const struct double_pendulum_state *x, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double dx[4], double a[4][4], double b[4][2])
+int double_pendulum_linearize_without_friction_slope(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][2])
 {
     const struct double_pendulum_coordinates *q = &x->q;
     const struct double_pendulum_rates *v = &x->v;
@@ -442,16 +482,17 @@ int double_pendulum_linearize_without_friction_slope(const struct double_pendulu
     const double omega_lower_y = -v->q1 - v->q2;
     const double mc_lower_z_omega_lower_y_sq = mc_lower_z * omega_lower_y * omega_lower_y;
     const double mc_lower_z_c_q2 = mc_lower_z * c_q2;
+    const double lower_1 = p->I_2 - p->l_1 * mc_lower_z_c_q2;
     /* frame upper on ground */
     const double a_upper_z = p->g * c_q1;
     const double a_upper_x = p->g * s_q1;
     const double upper_1 = p->I_1 + p->I_2 + p->l_1 * (p->m_2 * p->l_1 - mc_lower_z_c_q2 - mc_lower_z_c_q2);
-    /* frame lower on upper */
     const double a_upper_x_s_q2 = a_upper_x * s_q2;
     const double a_upper_x_c_q2 = a_upper_x * c_q2;
+    /* frame lower on upper */
     const double a_lower_z = a_upper_z * c_q2 - a_upper_x_s_q2;
-    const double f_lower_x = p->m_2 * (a_upper_z * s_q2 + a_upper_x_c_q2);
-    const double f_lower_1_z = p->m_2 * a_lower_z * c_q2 + f_lower_x * s_q2;
+    const double f_weight_lower_x = p->m_2 * (a_upper_z * s_q2 + a_upper_x_c_q2);
+    const double f_weight_lower_1_z = p->m_2 * a_lower_z * c_q2 + f_weight_lower_x * s_q2;
     const double a_lower_1_z = p->l_1 * v->q1 * v->q1 + a_upper_z;
     const double a_lower_1_z_c_q2 = a_lower_1_z * c_q2;
     const double a_lower_1_z_s_q2 = a_lower_1_z * s_q2;
@@ -461,52 +502,54 @@ int double_pendulum_linearize_without_friction_slope(const struct double_pendulu
     const double f_lower_1_x = p->m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
     /* frame upper on ground */
     const double n_upper_y = mc_upper_z * a_upper_x + n_lower_y - p->l_1 * f_lower_1_x;
-    /* kinetic energy rotor_1 */
     const double half_I_r = 0.5 * p->I_r;
-    /* kinetic energy rotor_2 */
     const double two_n = 2.0 * p->n;
+    const double two_n_2 = 2.0 * p->n;
+    /* kinetic energy rotor_2 */
     const double M_q1_q1 = upper_1 + p->I_r + p->n * half_I_r * two_n;
-    const double rotor_2_1 = p->I_2 - p->l_1 * mc_lower_z_c_q2 - half_I_r * two_n;
-    const double M_q2_q2 = p->I_2 + 2.0 * p->n * p->n * half_I_r;
+    const double lower_1_minus_half_I_r_two_n = lower_1 - half_I_r * two_n;
+    const double M_q2_q2 = p->I_2 + p->n * half_I_r * two_n_2;
     /* balance of forces */
     const double tau_q2 = n_lower_y - d_q2 + u->tau_2;
     /* M = L^T D L and back-substitution */
     const double inv_q2 = 1.0 / M_q2_q2;
-    const double l_q2_q1 = rotor_2_1 * inv_q2;
-    const double pivot_q1 = M_q1_q1 - rotor_2_1 * l_q2_q1;
+    const double l_q2_q1 = lower_1_minus_half_I_r_two_n * inv_q2;
+    const double u_q1_q2 = inv_q2 * (lower_1 - half_I_r * two_n_2);
+    const double pivot_q1 = M_q1_q1 - lower_1_minus_half_I_r_two_n * u_q1_q2;
     const double inv_q1 = 1.0 / pivot_q1;
-    const double q1_ddot = inv_q1 * (n_upper_y - tau_q2 * l_q2_q1 - d_q1 + u->tau_1);
+    const double q1_ddot = inv_q1 * (n_upper_y - tau_q2 * u_q1_q2 - d_q1 + u->tau_1);
     const double q2_ddot = tau_q2 * inv_q2 - l_q2_q1 * q1_ddot;
-    /* derivatives with respect to q1 */
     const double mc_lower_z_a_lower_z = mc_lower_z * a_lower_z;
-    const double by_q1_1 = p->l_1 * f_lower_1_z - mc_upper_z * a_upper_z - mc_lower_z_a_lower_z;
-    const double d_q1_ddot_by_q1 = inv_q1 * (-l_q2_q1 * mc_lower_z_a_lower_z - by_q1_1);
+    /* derivatives with respect to q1 */
+    const double by_q1_1 = mc_upper_z * a_upper_z - u_q1_q2 * mc_lower_z_a_lower_z + mc_lower_z_a_lower_z - p->l_1 * f_weight_lower_1_z;
+    const double d_q1_ddot_by_q1 = inv_q1 * by_q1_1;
     const double d_q2_ddot_by_q1 = inv_q2 * mc_lower_z_a_lower_z - l_q2_q1 * d_q1_ddot_by_q1;
-    /* derivatives with respect to q1_dot */
     const double two_l_1_q1_dot = 2.0 * p->l_1 * v->q1;
     const double two_mc_lower_z_omega_lower_y = 2.0 * mc_lower_z * omega_lower_y;
     const double two_l_1_q1_dot_s_q2 = two_l_1_q1_dot * s_q2;
+    /* derivatives with respect to q1_dot */
     const double by_q1_dot_1 = mc_lower_z * two_l_1_q1_dot_s_q2;
     const double by_q1_dot_2 = s_q2 * (two_mc_lower_z_omega_lower_y + p->m_2 * two_l_1_q1_dot * c_q2);
-    const double by_q1_dot_3 = p->l_1 * (p->m_2 * two_l_1_q1_dot_s_q2 * c_q2 - by_q1_dot_2) - by_q1_dot_1;
-    const double d_q1_ddot_by_q1_dot = inv_q1 * (-l_q2_q1 * by_q1_dot_1 - p->b_1 - by_q1_dot_3);
+    const double by_q1_dot_3 = p->l_1 * (p->m_2 * two_l_1_q1_dot_s_q2 * c_q2 - by_q1_dot_2);
+    const double d_q1_ddot_by_q1_dot = inv_q1 * (by_q1_dot_1 - u_q1_q2 * by_q1_dot_1 - p->b_1 - by_q1_dot_3);
     const double d_q2_ddot_by_q1_dot = inv_q2 * by_q1_dot_1 - l_q2_q1 * d_q1_ddot_by_q1_dot;
-    /* slopes of the balance of forces, at the accelerations found */
     const double a_upper_x_plus_l_1_q1_ddot = a_upper_x + p->l_1 * q1_ddot;
+    /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = a_lower_1_z_c_q2 - a_upper_x_plus_l_1_q1_ddot * s_q2;
     const double slopes_2 = p->m_2 * (a_lower_1_z_s_q2 + a_upper_x_plus_l_1_q1_ddot * c_q2);
     const double m_2_slopes_1 = p->m_2 * slopes_1;
-    const double slopes_3 = s_q2 * (slopes_2 - mc_lower_z * (q1_ddot + q2_ddot));
+    const double slopes_3 = c_q2 * (m_2_slopes_1 - mc_lower_z_omega_lower_y_sq);
+    const double slopes_4 = s_q2 * (slopes_2 - mc_lower_z * (q1_ddot + q2_ddot));
     const double mc_lower_z_slopes_1 = mc_lower_z * slopes_1;
-    const double slopes_4 = c_q2 * (m_2_slopes_1 - mc_lower_z_omega_lower_y_sq) - slopes_2 * s_q2;
-    const double slopes_5 = p->l_1 * (m_2_slopes_1 * c_q2 - slopes_3 - slopes_4);
+    const double slopes_3_minus_slopes_2_s_q2 = slopes_3 - slopes_2 * s_q2;
+    const double slopes_5 = p->l_1 * (m_2_slopes_1 * c_q2 - slopes_4 - slopes_3_minus_slopes_2_s_q2);
     /* derivatives with respect to q2 */
-    const double d_q1_ddot_by_q2 = inv_q1 * (mc_lower_z_slopes_1 - l_q2_q1 * mc_lower_z_slopes_1 - slopes_5);
+    const double d_q1_ddot_by_q2 = inv_q1 * (mc_lower_z_slopes_1 - u_q1_q2 * mc_lower_z_slopes_1 - slopes_5);
     const double d_q2_ddot_by_q2 = inv_q2 * mc_lower_z_slopes_1 - l_q2_q1 * d_q1_ddot_by_q2;
-    /* derivatives with respect to tau_1 */
-    const double d_q2_ddot_by_tau_1 = -l_q2_q1 * inv_q1;
+    /* derivatives with respect to tau_2 */
+    const double d_q1_ddot_by_tau_2 = -u_q1_q2 * inv_q1;
     /* derivatives with respect to q2_dot */
-    const double d_q1_ddot_by_q2_dot = inv_q1 * (p->l_1 * two_mc_lower_z_omega_lower_y * s_q2 + p->b_2 * l_q2_q1);
+    const double d_q1_ddot_by_q2_dot = inv_q1 * (p->l_1 * two_mc_lower_z_omega_lower_y * s_q2 + p->b_2 * u_q1_q2);
     const double d_q2_ddot_by_q2_dot = -p->b_2 * inv_q2 - l_q2_q1 * d_q1_ddot_by_q2_dot;
     if (!(M_q2_q2 > 0.0)) {
         return 2;
@@ -539,13 +582,17 @@ int double_pendulum_linearize_without_friction_slope(const struct double_pendulu
         }
     }
     b[2][0] = inv_q1; /* q1'' */
-    b[2][1] = d_q2_ddot_by_tau_1;
-    b[3][0] = d_q2_ddot_by_tau_1; /* q2'' */
-    b[3][1] = inv_q2 - l_q2_q1 * d_q2_ddot_by_tau_1;
+    b[2][1] = d_q1_ddot_by_tau_2;
+    b[3][0] = -l_q2_q1 * inv_q1; /* q2'' */
+    b[3][1] = inv_q2 - l_q2_q1 * d_q1_ddot_by_tau_2;
     return 0;
 }
 
-int double_pendulum_parameter_jacobian(const struct double_pendulum_state *x, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double by_p[4][15])
+int double_pendulum_parameter_jacobian(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double by_p[4][15])
 {
     const struct double_pendulum_coordinates *q = &x->q;
     const struct double_pendulum_rates *v = &x->v;
@@ -572,8 +619,9 @@ int double_pendulum_parameter_jacobian(const struct double_pendulum_state *x, co
     const double omega_lower_y_sq = omega_lower_y * omega_lower_y;
     const double mc_lower_z_omega_lower_y_sq = mc_lower_z * omega_lower_y_sq;
     const double mc_lower_z_c_q2 = mc_lower_z * c_q2;
-    /* frame upper on ground */
+    const double lower_1 = p->I_2 - p->l_1 * mc_lower_z_c_q2;
     const double q1_dot_sq = v->q1 * v->q1;
+    /* frame upper on ground */
     const double a_upper_x = p->g * s_q1;
     const double upper_1 = p->I_1 + p->I_2 + p->l_1 * (p->m_2 * p->l_1 - mc_lower_z_c_q2 - mc_lower_z_c_q2);
     /* frame lower on upper */
@@ -586,27 +634,28 @@ int double_pendulum_parameter_jacobian(const struct double_pendulum_state *x, co
     const double f_lower_1_x = p->m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
     /* frame upper on ground */
     const double n_upper_y = mc_upper_z * a_upper_x + n_lower_y - p->l_1 * f_lower_1_x;
-    /* kinetic energy rotor_1 */
     const double half_I_r = 0.5 * p->I_r;
-    /* kinetic energy rotor_2 */
     const double two_n = 2.0 * p->n;
     const double n_two_n = p->n * two_n;
-    const double two_n_n = 2.0 * p->n * p->n;
+    const double two_n_2 = 2.0 * p->n;
+    const double n_two_n_2 = p->n * two_n_2;
+    /* kinetic energy rotor_2 */
     const double M_q1_q1 = upper_1 + p->I_r + half_I_r * n_two_n;
-    const double rotor_2_1 = p->I_2 - p->l_1 * mc_lower_z_c_q2 - half_I_r * two_n;
-    const double M_q2_q2 = p->I_2 + half_I_r * two_n_n;
+    const double lower_1_minus_half_I_r_two_n = lower_1 - half_I_r * two_n;
+    const double M_q2_q2 = p->I_2 + half_I_r * n_two_n_2;
     /* balance of forces */
     const double tau_q2 = n_lower_y - d_q2 + u->tau_2;
     /* M = L^T D L and back-substitution */
     const double inv_q2 = 1.0 / M_q2_q2;
-    const double l_q2_q1 = rotor_2_1 * inv_q2;
-    const double pivot_q1 = M_q1_q1 - rotor_2_1 * l_q2_q1;
+    const double l_q2_q1 = lower_1_minus_half_I_r_two_n * inv_q2;
+    const double u_q1_q2 = inv_q2 * (lower_1 - half_I_r * two_n_2);
+    const double pivot_q1 = M_q1_q1 - lower_1_minus_half_I_r_two_n * u_q1_q2;
     const double inv_q1 = 1.0 / pivot_q1;
-    const double q1_ddot = inv_q1 * (n_upper_y - tau_q2 * l_q2_q1 - d_q1 + u->tau_1);
+    const double q1_ddot = inv_q1 * (n_upper_y - tau_q2 * u_q1_q2 - d_q1 + u->tau_1);
     const double q2_ddot = tau_q2 * inv_q2 - l_q2_q1 * q1_ddot;
-    /* slopes of the balance of forces, at the accelerations found */
     const double q1_ddot_plus_q2_ddot = q1_ddot + q2_ddot;
     const double a_upper_x_plus_l_1_q1_ddot = a_upper_x + p->l_1 * q1_ddot;
+    /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = a_lower_1_z_c_q2 - a_upper_x_plus_l_1_q1_ddot * s_q2;
     const double slopes_2 = a_lower_1_z_s_q2 + a_upper_x_plus_l_1_q1_ddot * c_q2;
     const double m_2_slopes_2 = p->m_2 * slopes_2;
@@ -614,64 +663,65 @@ int double_pendulum_parameter_jacobian(const struct double_pendulum_state *x, co
     const double slopes_4 = slopes_3 - s_q2 * (p->m_2 * slopes_1 - mc_lower_z_omega_lower_y_sq);
     const double r_2_slopes_2 = p->r_2 * slopes_2;
     const double slopes_5 = s_q2 * (slopes_1 + p->r_2 * omega_lower_y_sq);
-    const double slopes_6 = p->l_1 * (c_q2 * (slopes_2 + p->r_2 * q1_ddot_plus_q2_ddot) - slopes_5);
-    const double slopes_7 = p->m_2 * q1_ddot_plus_q2_ddot * c_q2 - p->m_2 * omega_lower_y_sq * s_q2;
-    const double slopes_8 = q1_dot_sq * s_q2 + q1_ddot * c_q2;
-    const double mc_lower_z_slopes_8 = mc_lower_z * slopes_8;
-    const double slopes_9 = p->m_2 * s_q2 * (q1_dot_sq * c_q2 - q1_ddot * s_q2);
-    const double slopes_10 = slopes_4 + p->l_1 * (p->m_2 * slopes_8 * c_q2 - slopes_9);
-    const double slopes_11 = p->n * q1_ddot - 0.5 * q2_ddot * two_n_n;
+    const double slopes_6 = c_q2 * (slopes_2 + p->r_2 * q1_ddot_plus_q2_ddot) - slopes_5;
+    const double slopes_7 = q1_dot_sq * s_q2 + q1_ddot * c_q2;
+    const double slopes_8 = p->m_2 * (q1_dot_sq * c_q2 - q1_ddot * s_q2);
+    const double mc_lower_z_slopes_7 = mc_lower_z * slopes_7;
+    const double slopes_9 = p->m_2 * slopes_7 * c_q2 - slopes_8 * s_q2;
+    const double slopes_10 = slopes_4 - mc_lower_z_slopes_7 + p->l_1 * slopes_9;
+    const double slopes_11 = p->n * q1_ddot - 0.5 * q2_ddot * n_two_n_2;
     const double slopes_12 = p->I_r * q1_ddot - 4.0 * p->n * q2_ddot * half_I_r;
+    const double m_2_omega_lower_y_sq_s_q2 = p->m_2 * omega_lower_y_sq * s_q2;
     /* derivatives with respect to v_c */
     const double by_v_c_1 = friction_q1_1 * q1_dot_per_v_c * (1.0 - tanh_q1_dot_per_v_c * tanh_q1_dot_per_v_c) / p->v_c;
     const double by_v_c_2 = friction_q2_1 * q2_dot_per_v_c * (1.0 - tanh_q2_dot_per_v_c * tanh_q2_dot_per_v_c) / p->v_c;
-    const double d_q1_ddot_by_v_c = inv_q1 * (by_v_c_1 - l_q2_q1 * by_v_c_2);
+    const double d_q1_ddot_by_v_c = inv_q1 * (by_v_c_1 - u_q1_q2 * by_v_c_2);
     const double d_q2_ddot_by_v_c = inv_q2 * by_v_c_2 - l_q2_q1 * d_q1_ddot_by_v_c;
-    /* derivatives with respect to g */
     const double c_q1_s_q2_plus_s_q1_c_q2 = c_q1 * s_q2 + s_q1 * c_q2;
+    /* derivatives with respect to g */
     const double by_g_1 = p->m_2 * (c_q1 * c_q2 - s_q1 * s_q2);
     const double by_g_2 = mc_lower_z * c_q1_s_q2_plus_s_q1_c_q2;
-    const double by_g_3 = p->l_1 * (p->m_2 * c_q1_s_q2_plus_s_q1_c_q2 * c_q2 - by_g_1 * s_q2);
-    const double by_g_4 = mc_upper_z * s_q1 - l_q2_q1 * by_g_2 + by_g_2 - by_g_3;
-    const double d_q1_ddot_by_g = inv_q1 * by_g_4;
+    const double by_g_3 = p->m_2 * c_q1_s_q2_plus_s_q1_c_q2 * c_q2 - by_g_1 * s_q2;
+    const double by_g_4 = p->l_1 * by_g_3 - mc_upper_z * s_q1 - by_g_2;
+    const double d_q1_ddot_by_g = inv_q1 * (-u_q1_q2 * by_g_2 - by_g_4);
     const double d_q2_ddot_by_g = inv_q2 * by_g_2 - l_q2_q1 * d_q1_ddot_by_g;
+    /* slopes of the balance of forces, at the accelerations found */
+    const double slopes_13 = p->l_1 * (p->m_2 * q1_ddot_plus_q2_ddot * c_q2 - m_2_omega_lower_y_sq_s_q2);
     /* derivatives with respect to m_1 */
     const double d_q1_ddot_by_m_1 = -p->r_1 * inv_q1 * a_upper_x;
     /* derivatives with respect to m_2 */
-    const double d_q1_ddot_by_m_2 = inv_q1 * (l_q2_q1 * r_2_slopes_2 - r_2_slopes_2 - slopes_6);
+    const double d_q1_ddot_by_m_2 = inv_q1 * (u_q1_q2 * r_2_slopes_2 - r_2_slopes_2 - p->l_1 * slopes_6);
     const double d_q2_ddot_by_m_2 = -inv_q2 * r_2_slopes_2 - l_q2_q1 * d_q1_ddot_by_m_2;
     /* derivatives with respect to r_1 */
     const double d_q1_ddot_by_r_1 = -p->m_1 * a_upper_x * inv_q1;
     /* derivatives with respect to r_2 */
-    const double d_q1_ddot_by_r_2 = inv_q1 * (l_q2_q1 * m_2_slopes_2 - m_2_slopes_2 - p->l_1 * slopes_7);
+    const double d_q1_ddot_by_r_2 = inv_q1 * (u_q1_q2 * m_2_slopes_2 - m_2_slopes_2 - slopes_13);
     const double d_q2_ddot_by_r_2 = -inv_q2 * m_2_slopes_2 - l_q2_q1 * d_q1_ddot_by_r_2;
     /* derivatives with respect to l_1 */
-    const double d_q1_ddot_by_l_1 = inv_q1 * (mc_lower_z_slopes_8 - l_q2_q1 * mc_lower_z_slopes_8 - slopes_10);
-    const double d_q2_ddot_by_l_1 = inv_q2 * mc_lower_z_slopes_8 - l_q2_q1 * d_q1_ddot_by_l_1;
+    const double d_q1_ddot_by_l_1 = inv_q1 * (-u_q1_q2 * mc_lower_z_slopes_7 - slopes_10);
+    const double d_q2_ddot_by_l_1 = inv_q2 * mc_lower_z_slopes_7 - l_q2_q1 * d_q1_ddot_by_l_1;
     /* derivatives with respect to I_1 */
     const double d_q1_ddot_by_I_1 = -inv_q1 * q1_ddot;
-    /* derivatives with respect to I_2 */
     const double q2_ddot_plus_q1_ddot = q2_ddot + q1_ddot;
-    const double d_q1_ddot_by_I_2 = inv_q1 * (l_q2_q1 * q2_ddot_plus_q1_ddot - q2_ddot_plus_q1_ddot);
+    /* derivatives with respect to I_2 */
+    const double d_q1_ddot_by_I_2 = inv_q1 * (u_q1_q2 * q2_ddot_plus_q1_ddot - q2_ddot_plus_q1_ddot);
     const double d_q2_ddot_by_I_2 = -inv_q2 * q2_ddot_plus_q1_ddot - l_q2_q1 * d_q1_ddot_by_I_2;
     /* derivatives with respect to I_r */
-    const double by_I_r_1 = q1_ddot * (1.0 + 0.5 * n_two_n) - p->n * q2_ddot + l_q2_q1 * slopes_11;
-    const double d_q1_ddot_by_I_r = -inv_q1 * by_I_r_1;
+    const double d_q1_ddot_by_I_r = -inv_q1 * (q1_ddot * (1.0 + 0.5 * n_two_n) - p->n * q2_ddot + u_q1_q2 * slopes_11);
     const double d_q2_ddot_by_I_r = inv_q2 * slopes_11 - l_q2_q1 * d_q1_ddot_by_I_r;
     /* derivatives with respect to n */
-    const double by_n_1 = 4.0 * p->n * q1_ddot * half_I_r - p->I_r * q2_ddot + l_q2_q1 * slopes_12;
-    const double d_q1_ddot_by_n = -inv_q1 * by_n_1;
+    const double d_q1_ddot_by_n = -inv_q1 * (4.0 * p->n * q1_ddot * half_I_r - p->I_r * q2_ddot + u_q1_q2 * slopes_12);
     const double d_q2_ddot_by_n = inv_q2 * slopes_12 - l_q2_q1 * d_q1_ddot_by_n;
     /* derivatives with respect to b_1 */
     const double d_q1_ddot_by_b_1 = -inv_q1 * v->q1;
     /* derivatives with respect to b_2 */
-    const double d_q1_ddot_by_b_2 = inv_q1 * l_q2_q1 * v->q2;
+    const double d_q1_ddot_by_b_2 = inv_q1 * u_q1_q2 * v->q2;
     const double d_q2_ddot_by_b_2 = -inv_q2 * v->q2 - l_q2_q1 * d_q1_ddot_by_b_2;
     /* derivatives with respect to c_f1 */
     const double d_q1_ddot_by_c_f1 = -1.5707963267948966 * inv_q1 * tanh_q1_dot_per_v_c;
     /* derivatives with respect to c_f2 */
     const double by_c_f2_1 = 1.5707963267948966 * tanh_q2_dot_per_v_c;
-    const double d_q1_ddot_by_c_f2 = inv_q1 * l_q2_q1 * by_c_f2_1;
+    const double d_q1_ddot_by_c_f2 = inv_q1 * u_q1_q2 * by_c_f2_1;
     const double d_q2_ddot_by_c_f2 = -inv_q2 * by_c_f2_1 - l_q2_q1 * d_q1_ddot_by_c_f2;
     if (!(M_q2_q2 > 0.0)) {
         return 2;
@@ -717,7 +767,11 @@ int double_pendulum_parameter_jacobian(const struct double_pendulum_state *x, co
     return 0;
 }
 
-void double_pendulum_output_jacobian(const struct double_pendulum_state *x, const struct double_pendulum_parameters *p, double by_x[2][4], double by_p[2][15])
+void double_pendulum_output_jacobian(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_parameters *p,
+    double by_x[2][4],
+    double by_p[2][15])
 {
     (void)x;
     (void)p;

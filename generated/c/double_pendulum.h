@@ -1,6 +1,6 @@
 /*
  * Double pendulum with quasi-direct drives and a belt to the elbow.
- * Generated from `double_pendulum.rig` (model 9f10532e); edit the rig, not this file.
+ * Generated from `double_pendulum.rig` (model b0557872); edit the rig, not this file.
  *
  * Both motors sit at the shoulder end; the second one drives the elbow through a belt, so that its rotor
  * turns by q1 - n q2. Both rotors turn n times as fast as their joints. Identified numbers of design A.0,
@@ -9,7 +9,7 @@
  * b v + c_f atan(100 v); here the same level, c_f pi/2, and the same slope at rest in one regularized
  * Coulomb law. q1 = 0 hangs; q2 relative to the upper link.
  *
- * 80 operations forward, 177 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 83 operations forward, 182 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -78,61 +78,85 @@ struct double_pendulum_state {
 /* The values that the rig's file gives. */
 void double_pendulum_nominal(struct double_pendulum_parameters *p);
 
-/* Mass matrix M(q), 2 x 2, symmetric; rows (q1, q2).
- */
+/* Mass matrix M(q), 2 x 2, symmetric; rows (q1, q2). */
 void double_pendulum_mass_matrix(const struct double_pendulum_coordinates *q, const struct double_pendulum_parameters *p, double m[2][2]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (q1, q2).
- */
-void double_pendulum_bias(const struct double_pendulum_coordinates *q, const struct double_pendulum_rates *v, const struct double_pendulum_parameters *p, double h[2]);
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (q1, q2). */
+void double_pendulum_bias(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_rates *v,
+    const struct double_pendulum_parameters *p,
+    double h[2]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (q1, q2).
- */
-void double_pendulum_velocity_products(const struct double_pendulum_coordinates *q, const struct double_pendulum_rates *v, const struct double_pendulum_parameters *p, double c[2]);
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (q1, q2). */
+void double_pendulum_velocity_products(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_rates *v,
+    const struct double_pendulum_parameters *p,
+    double c[2]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (q1, q2).
- */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (q1, q2). */
 void double_pendulum_gravity(const struct double_pendulum_coordinates *q, const struct double_pendulum_parameters *p, double g[2]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (q1, q2).
- */
-void double_pendulum_dissipation(const struct double_pendulum_coordinates *q, const struct double_pendulum_rates *v, const struct double_pendulum_parameters *p, double d[2]);
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (q1, q2). */
+void double_pendulum_dissipation(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_rates *v,
+    const struct double_pendulum_parameters *p,
+    double d[2]);
 
-/* Generalized force Q [N m] of the inputs; rows (q1, q2).
- */
-void double_pendulum_generalized_force(const struct double_pendulum_coordinates *q, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double f[2]);
+/* Generalized force Q [N m] of the inputs; rows (q1, q2). */
+void double_pendulum_generalized_force(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double f[2]);
 
-/* Input map dQ/du, 2 x 2; rows (q1, q2), columns (tau_1, tau_2).
- */
+/* Input map dQ/du, 2 x 2; rows (q1, q2), columns (tau_1, tau_2). */
 void double_pendulum_input_map(const struct double_pendulum_coordinates *q, const struct double_pendulum_parameters *p, double s[2][2]);
 
-/* Kinetic energy T(q, v) [J].
- */
-double double_pendulum_kinetic_energy(const struct double_pendulum_coordinates *q, const struct double_pendulum_rates *v, const struct double_pendulum_parameters *p);
+/* Kinetic energy T(q, v) [J]. */
+double double_pendulum_kinetic_energy(
+    const struct double_pendulum_coordinates *q,
+    const struct double_pendulum_rates *v,
+    const struct double_pendulum_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double double_pendulum_potential_energy(const struct double_pendulum_coordinates *q, const struct double_pendulum_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void double_pendulum_inverse_dynamics(const struct double_pendulum_state *x, const struct double_pendulum_accelerations *a, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double r[2]);
+void double_pendulum_inverse_dynamics(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_accelerations *a,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double r[2]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
-void double_pendulum_outputs(const struct double_pendulum_state *x, const struct double_pendulum_parameters *p, struct double_pendulum_outputs *y);
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
+void double_pendulum_outputs(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_parameters *p,
+    struct double_pendulum_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
- * 80 operations.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 83 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int double_pendulum_forward_dynamics(const struct double_pendulum_state *x, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, struct double_pendulum_accelerations *a);
+int double_pendulum_forward_dynamics(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    struct double_pendulum_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
- * 177 operations.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
+ * 182 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *       q1 q2 q1.dot q2.dot | tau_1 tau_2
@@ -144,10 +168,17 @@ int double_pendulum_forward_dynamics(const struct double_pendulum_state *x, cons
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int double_pendulum_linearize(const struct double_pendulum_state *x, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double dx[4], double a[4][4], double b[4][2]);
+int double_pendulum_linearize(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][2]);
 
-/* As linearize, without the slope of regularized Coulomb friction (at rest an artefact of its width).
- * 177 operations.
+/*
+ * As linearize, without the slope of regularized Coulomb friction (at rest an artefact of its width).
+ * 182 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *       q1 q2 q1.dot q2.dot | tau_1 tau_2
@@ -159,18 +190,32 @@ int double_pendulum_linearize(const struct double_pendulum_state *x, const struc
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int double_pendulum_linearize_without_friction_slope(const struct double_pendulum_state *x, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double dx[4], double a[4][4], double b[4][2]);
+int double_pendulum_linearize_without_friction_slope(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][2]);
 
-/* Parameter Jacobian dx'/dp, 4 x 15; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 4 x 15; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int double_pendulum_parameter_jacobian(const struct double_pendulum_state *x, const struct double_pendulum_inputs *u, const struct double_pendulum_parameters *p, double by_p[4][15]);
+int double_pendulum_parameter_jacobian(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_inputs *u,
+    const struct double_pendulum_parameters *p,
+    double by_p[4][15]);
 
-/* Jacobians of the measured outputs.
- */
-void double_pendulum_output_jacobian(const struct double_pendulum_state *x, const struct double_pendulum_parameters *p, double by_x[2][4], double by_p[2][15]);
+/* Jacobians of the measured outputs. */
+void double_pendulum_output_jacobian(
+    const struct double_pendulum_state *x,
+    const struct double_pendulum_parameters *p,
+    double by_x[2][4],
+    double by_p[2][15]);
 
 #ifdef __cplusplus
 }

@@ -87,7 +87,12 @@ double emps_potential_energy(const struct emps_coordinates *q, const struct emps
     return 0.0;
 }
 
-void emps_inverse_dynamics(const struct emps_state *x, const struct emps_accelerations *a, const struct emps_inputs *u, const struct emps_parameters *p, double r[1])
+void emps_inverse_dynamics(
+    const struct emps_state *x,
+    const struct emps_accelerations *a,
+    const struct emps_inputs *u,
+    const struct emps_parameters *p,
+    double r[1])
 {
     const struct emps_rates *v = &x->v;
     /* friction of q */
@@ -102,7 +107,11 @@ void emps_outputs(const struct emps_state *x, const struct emps_parameters *p, s
     y->q = q->q;
 }
 
-int emps_forward_dynamics(const struct emps_state *x, const struct emps_inputs *u, const struct emps_parameters *p, struct emps_accelerations *a)
+int emps_forward_dynamics(
+    const struct emps_state *x,
+    const struct emps_inputs *u,
+    const struct emps_parameters *p,
+    struct emps_accelerations *a)
 {
     const struct emps_rates *v = &x->v;
     /* friction of q */
@@ -116,11 +125,17 @@ int emps_forward_dynamics(const struct emps_state *x, const struct emps_inputs *
     return 0;
 }
 
-int emps_linearize(const struct emps_state *x, const struct emps_inputs *u, const struct emps_parameters *p, double dx[2], double a[2][2], double b[2][1])
+int emps_linearize(
+    const struct emps_state *x,
+    const struct emps_inputs *u,
+    const struct emps_parameters *p,
+    double dx[2],
+    double a[2][2],
+    double b[2][1])
 {
     const struct emps_rates *v = &x->v;
-    /* friction of q */
     const double tanh_q_dot_per_v_c = tanh(v->q / p->v_c);
+    /* friction of q */
     const double d_q = p->F_0 + p->F_v * v->q + p->F_c * tanh_q_dot_per_v_c;
     /* M = L^T D L and back-substitution */
     const double inv_q = 1.0 / p->M;
@@ -148,7 +163,13 @@ int emps_linearize(const struct emps_state *x, const struct emps_inputs *u, cons
     return 0;
 }
 
-int emps_linearize_without_friction_slope(const struct emps_state *x, const struct emps_inputs *u, const struct emps_parameters *p, double dx[2], double a[2][2], double b[2][1])
+int emps_linearize_without_friction_slope(
+    const struct emps_state *x,
+    const struct emps_inputs *u,
+    const struct emps_parameters *p,
+    double dx[2],
+    double a[2][2],
+    double b[2][1])
 {
     const struct emps_rates *v = &x->v;
     /* friction of q */
@@ -180,9 +201,9 @@ int emps_linearize_without_friction_slope(const struct emps_state *x, const stru
 int emps_parameter_jacobian(const struct emps_state *x, const struct emps_inputs *u, const struct emps_parameters *p, double by_p[2][6])
 {
     const struct emps_rates *v = &x->v;
-    /* friction of q */
     const double q_dot_per_v_c = v->q / p->v_c;
     const double tanh_q_dot_per_v_c = tanh(q_dot_per_v_c);
+    /* friction of q */
     const double d_q = p->F_0 + p->F_v * v->q + p->F_c * tanh_q_dot_per_v_c;
     /* M = L^T D L and back-substitution */
     const double inv_q = 1.0 / p->M;

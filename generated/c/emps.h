@@ -62,60 +62,62 @@ struct emps_state {
 /* The values that the rig's file gives. */
 void emps_nominal(struct emps_parameters *p);
 
-/* Mass matrix M(q), 1 x 1, symmetric; rows (q).
- */
+/* Mass matrix M(q), 1 x 1, symmetric; rows (q). */
 void emps_mass_matrix(const struct emps_coordinates *q, const struct emps_parameters *p, double m[1][1]);
 
-/* Bias h(q, v) [N]: velocity products + gravity + springs; rows (q).
- */
+/* Bias h(q, v) [N]: velocity products + gravity + springs; rows (q). */
 void emps_bias(const struct emps_coordinates *q, const struct emps_rates *v, const struct emps_parameters *p, double h[1]);
 
-/* Velocity products C(q, v) v [N]: Coriolis and centrifugal terms; rows (q).
- */
+/* Velocity products C(q, v) v [N]: Coriolis and centrifugal terms; rows (q). */
 void emps_velocity_products(const struct emps_coordinates *q, const struct emps_rates *v, const struct emps_parameters *p, double c[1]);
 
-/* Generalized gravity g(q) [N]: what holds the rig still; rows (q).
- */
+/* Generalized gravity g(q) [N]: what holds the rig still; rows (q). */
 void emps_gravity(const struct emps_coordinates *q, const struct emps_parameters *p, double g[1]);
 
-/* Friction and dampers d(q, v) [N], on the left-hand side; rows (q).
- */
+/* Friction and dampers d(q, v) [N], on the left-hand side; rows (q). */
 void emps_dissipation(const struct emps_coordinates *q, const struct emps_rates *v, const struct emps_parameters *p, double d[1]);
 
-/* Generalized force Q [N] of the inputs; rows (q).
- */
+/* Generalized force Q [N] of the inputs; rows (q). */
 void emps_generalized_force(const struct emps_coordinates *q, const struct emps_inputs *u, const struct emps_parameters *p, double f[1]);
 
-/* Input map dQ/du, 1 x 1; rows (q), columns (V).
- */
+/* Input map dQ/du, 1 x 1; rows (q), columns (V). */
 void emps_input_map(const struct emps_coordinates *q, const struct emps_parameters *p, double s[1][1]);
 
-/* Kinetic energy T(q, v) [J].
- */
+/* Kinetic energy T(q, v) [J]. */
 double emps_kinetic_energy(const struct emps_coordinates *q, const struct emps_rates *v, const struct emps_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double emps_potential_energy(const struct emps_coordinates *q, const struct emps_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void emps_inverse_dynamics(const struct emps_state *x, const struct emps_accelerations *a, const struct emps_inputs *u, const struct emps_parameters *p, double r[1]);
+void emps_inverse_dynamics(
+    const struct emps_state *x,
+    const struct emps_accelerations *a,
+    const struct emps_inputs *u,
+    const struct emps_parameters *p,
+    double r[1]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
 void emps_outputs(const struct emps_state *x, const struct emps_parameters *p, struct emps_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 10 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int emps_forward_dynamics(const struct emps_state *x, const struct emps_inputs *u, const struct emps_parameters *p, struct emps_accelerations *a);
+int emps_forward_dynamics(
+    const struct emps_state *x,
+    const struct emps_inputs *u,
+    const struct emps_parameters *p,
+    struct emps_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 19 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -126,9 +128,16 @@ int emps_forward_dynamics(const struct emps_state *x, const struct emps_inputs *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int emps_linearize(const struct emps_state *x, const struct emps_inputs *u, const struct emps_parameters *p, double dx[2], double a[2][2], double b[2][1]);
+int emps_linearize(
+    const struct emps_state *x,
+    const struct emps_inputs *u,
+    const struct emps_parameters *p,
+    double dx[2],
+    double a[2][2],
+    double b[2][1]);
 
-/* As linearize, without the slope of regularized Coulomb friction (at rest an artefact of its width).
+/*
+ * As linearize, without the slope of regularized Coulomb friction (at rest an artefact of its width).
  * 19 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -139,17 +148,23 @@ int emps_linearize(const struct emps_state *x, const struct emps_inputs *u, cons
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int emps_linearize_without_friction_slope(const struct emps_state *x, const struct emps_inputs *u, const struct emps_parameters *p, double dx[2], double a[2][2], double b[2][1]);
+int emps_linearize_without_friction_slope(
+    const struct emps_state *x,
+    const struct emps_inputs *u,
+    const struct emps_parameters *p,
+    double dx[2],
+    double a[2][2],
+    double b[2][1]);
 
-/* Parameter Jacobian dx'/dp, 2 x 6; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 2 x 6; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
 int emps_parameter_jacobian(const struct emps_state *x, const struct emps_inputs *u, const struct emps_parameters *p, double by_p[2][6]);
 
-/* Jacobians of the measured outputs.
- */
+/* Jacobians of the measured outputs. */
 void emps_output_jacobian(const struct emps_state *x, const struct emps_parameters *p, double by_x[1][2], double by_p[1][6]);
 
 #ifdef __cplusplus

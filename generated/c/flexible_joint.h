@@ -67,60 +67,84 @@ struct flexible_joint_state {
 /* The values that the rig's file gives. */
 void flexible_joint_nominal(struct flexible_joint_parameters *p);
 
-/* Mass matrix M(q), 2 x 2, symmetric; rows (motor, link).
- */
+/* Mass matrix M(q), 2 x 2, symmetric; rows (motor, link). */
 void flexible_joint_mass_matrix(const struct flexible_joint_coordinates *q, const struct flexible_joint_parameters *p, double m[2][2]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (motor, link).
- */
-void flexible_joint_bias(const struct flexible_joint_coordinates *q, const struct flexible_joint_rates *v, const struct flexible_joint_parameters *p, double h[2]);
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (motor, link). */
+void flexible_joint_bias(
+    const struct flexible_joint_coordinates *q,
+    const struct flexible_joint_rates *v,
+    const struct flexible_joint_parameters *p,
+    double h[2]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (motor, link).
- */
-void flexible_joint_velocity_products(const struct flexible_joint_coordinates *q, const struct flexible_joint_rates *v, const struct flexible_joint_parameters *p, double c[2]);
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (motor, link). */
+void flexible_joint_velocity_products(
+    const struct flexible_joint_coordinates *q,
+    const struct flexible_joint_rates *v,
+    const struct flexible_joint_parameters *p,
+    double c[2]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (motor, link).
- */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (motor, link). */
 void flexible_joint_gravity(const struct flexible_joint_coordinates *q, const struct flexible_joint_parameters *p, double g[2]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (motor, link).
- */
-void flexible_joint_dissipation(const struct flexible_joint_coordinates *q, const struct flexible_joint_rates *v, const struct flexible_joint_parameters *p, double d[2]);
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (motor, link). */
+void flexible_joint_dissipation(
+    const struct flexible_joint_coordinates *q,
+    const struct flexible_joint_rates *v,
+    const struct flexible_joint_parameters *p,
+    double d[2]);
 
-/* Generalized force Q [N m] of the inputs; rows (motor, link).
- */
-void flexible_joint_generalized_force(const struct flexible_joint_coordinates *q, const struct flexible_joint_inputs *u, const struct flexible_joint_parameters *p, double f[2]);
+/* Generalized force Q [N m] of the inputs; rows (motor, link). */
+void flexible_joint_generalized_force(
+    const struct flexible_joint_coordinates *q,
+    const struct flexible_joint_inputs *u,
+    const struct flexible_joint_parameters *p,
+    double f[2]);
 
-/* Input map dQ/du, 2 x 1; rows (motor, link), columns (tau).
- */
+/* Input map dQ/du, 2 x 1; rows (motor, link), columns (tau). */
 void flexible_joint_input_map(const struct flexible_joint_coordinates *q, const struct flexible_joint_parameters *p, double s[2][1]);
 
-/* Kinetic energy T(q, v) [J].
- */
-double flexible_joint_kinetic_energy(const struct flexible_joint_coordinates *q, const struct flexible_joint_rates *v, const struct flexible_joint_parameters *p);
+/* Kinetic energy T(q, v) [J]. */
+double flexible_joint_kinetic_energy(
+    const struct flexible_joint_coordinates *q,
+    const struct flexible_joint_rates *v,
+    const struct flexible_joint_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double flexible_joint_potential_energy(const struct flexible_joint_coordinates *q, const struct flexible_joint_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void flexible_joint_inverse_dynamics(const struct flexible_joint_state *x, const struct flexible_joint_accelerations *a, const struct flexible_joint_inputs *u, const struct flexible_joint_parameters *p, double r[2]);
+void flexible_joint_inverse_dynamics(
+    const struct flexible_joint_state *x,
+    const struct flexible_joint_accelerations *a,
+    const struct flexible_joint_inputs *u,
+    const struct flexible_joint_parameters *p,
+    double r[2]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
-void flexible_joint_outputs(const struct flexible_joint_state *x, const struct flexible_joint_parameters *p, struct flexible_joint_outputs *y);
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
+void flexible_joint_outputs(
+    const struct flexible_joint_state *x,
+    const struct flexible_joint_parameters *p,
+    struct flexible_joint_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 38 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int flexible_joint_forward_dynamics(const struct flexible_joint_state *x, const struct flexible_joint_inputs *u, const struct flexible_joint_parameters *p, struct flexible_joint_accelerations *a);
+int flexible_joint_forward_dynamics(
+    const struct flexible_joint_state *x,
+    const struct flexible_joint_inputs *u,
+    const struct flexible_joint_parameters *p,
+    struct flexible_joint_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 74 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -133,18 +157,32 @@ int flexible_joint_forward_dynamics(const struct flexible_joint_state *x, const 
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int flexible_joint_linearize(const struct flexible_joint_state *x, const struct flexible_joint_inputs *u, const struct flexible_joint_parameters *p, double dx[4], double a[4][4], double b[4][1]);
+int flexible_joint_linearize(
+    const struct flexible_joint_state *x,
+    const struct flexible_joint_inputs *u,
+    const struct flexible_joint_parameters *p,
+    double dx[4],
+    double a[4][4],
+    double b[4][1]);
 
-/* Parameter Jacobian dx'/dp, 4 x 8; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 4 x 8; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int flexible_joint_parameter_jacobian(const struct flexible_joint_state *x, const struct flexible_joint_inputs *u, const struct flexible_joint_parameters *p, double by_p[4][8]);
+int flexible_joint_parameter_jacobian(
+    const struct flexible_joint_state *x,
+    const struct flexible_joint_inputs *u,
+    const struct flexible_joint_parameters *p,
+    double by_p[4][8]);
 
-/* Jacobians of the measured outputs.
- */
-void flexible_joint_output_jacobian(const struct flexible_joint_state *x, const struct flexible_joint_parameters *p, double by_x[2][4], double by_p[2][8]);
+/* Jacobians of the measured outputs. */
+void flexible_joint_output_jacobian(
+    const struct flexible_joint_state *x,
+    const struct flexible_joint_parameters *p,
+    double by_x[2][4],
+    double by_p[2][8]);
 
 #ifdef __cplusplus
 }

@@ -56,8 +56,8 @@ void googol_mass_matrix(const struct googol_coordinates *q, const struct googol_
     const double M_eps_eps = I_arm_yy + p->I_z + heli_1 + l_oc_m_h_l_oc;
     const double M_psi_eps = I_heli_yy_minus_I_z_c_theta * c_eps * s_theta - M_eps_theta * s_eps;
     const double arm_1 = c_eps * (I_arm_yy + I_heli_yy - heli_1 + l_oc_m_h_l_oc - I_heli_xx);
-    const double M_psi_psi = I_heli_xx + c_eps * (arm_1 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
-    m[0][0] = M_psi_psi; /* psi */
+    const double arm_2 = c_eps * (arm_1 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
+    m[0][0] = I_heli_xx + arm_2; /* psi */
     m[0][1] = M_psi_eps;
     m[0][2] = M_psi_theta;
     m[1][0] = M_psi_eps; /* eps */
@@ -96,23 +96,21 @@ void googol_bias(const struct googol_coordinates *q, const struct googol_rates *
     const double alpha_heli_y = -alpha_arm_z * s_theta - omega_heli_z * v->theta;
     const double alpha_heli_z = omega_heli_y * v->theta + alpha_arm_z * c_theta;
     const double omega_heli_y_omega_heli_z = omega_heli_y * omega_heli_z;
-    const double heli_1 = mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
-    const double heli_2 = I_heli_xx * alpha_arm_x + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy);
-    const double heli_3 = I_heli_yy * alpha_heli_y + omega_heli_z * omega_heli_x * (I_heli_xx - p->I_z);
-    const double n_heli_z = p->I_z * alpha_heli_z - p->I_x * omega_heli_y * omega_heli_x;
+    const double heli_1 = I_heli_yy * alpha_heli_y + omega_heli_z * omega_heli_x * (I_heli_xx - p->I_z);
+    const double n_moving_heli_z = p->I_z * alpha_heli_z - p->I_x * omega_heli_y * omega_heli_x;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_z = p->l_oc * omega_arm_z_omega_arm_x + a_arm_z;
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y_omega_heli_z);
-    const double f_heli_z = p->m_h * a_heli_z - heli_1;
-    const double n_heli_x = heli_2 - mc_heli_z * a_heli_y;
-    const double n_heli_y = heli_3 + mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double f_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
+    const double n_heli_x = I_heli_xx * alpha_arm_x + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy) - mc_heli_z * a_heli_y;
+    const double n_heli_y = heli_1 + mc_heli_z * (p->g * s_eps + a_heli_1_x);
     const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
     const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
-    const double n_heli_1_y = n_heli_z * s_theta + n_heli_y * c_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
+    const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
+    const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
     /* frame arm on column */
     const double n_arm_z = 2.0 * I_arm_yy * alpha_arm_z + n_heli_1_z + p->l_oc * f_heli_1_y;
     const double h_eps = arm_1 - n_heli_1_y + p->l_oc * f_heli_1_z;
@@ -122,7 +120,11 @@ void googol_bias(const struct googol_coordinates *q, const struct googol_rates *
     h[2] = -n_heli_x; /* theta */
 }
 
-void googol_velocity_products(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p, double c[3])
+void googol_velocity_products(
+    const struct googol_coordinates *q,
+    const struct googol_rates *v,
+    const struct googol_parameters *p,
+    double c[3])
 {
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
@@ -146,29 +148,26 @@ void googol_velocity_products(const struct googol_coordinates *q, const struct g
     const double alpha_heli_y = -alpha_arm_z * s_theta - omega_heli_z * v->theta;
     const double alpha_heli_z = omega_heli_y * v->theta + alpha_arm_z * c_theta;
     const double omega_heli_y_omega_heli_z = omega_heli_y * omega_heli_z;
-    const double heli_1 = mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
-    const double heli_2 = I_heli_xx * alpha_arm_x + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy);
-    const double heli_3 = I_heli_yy * alpha_heli_y + omega_heli_z * omega_heli_x * (I_heli_xx - p->I_z);
-    const double n_heli_z = p->I_z * alpha_heli_z - p->I_x * omega_heli_y * omega_heli_x;
+    const double n_moving_heli_z = p->I_z * alpha_heli_z - p->I_x * omega_heli_y * omega_heli_x;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_z = p->l_oc * omega_arm_z_omega_arm_x;
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
-    const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y_omega_heli_z);
-    const double f_heli_z = p->m_h * a_heli_z - heli_1;
-    const double n_heli_x = heli_2 - mc_heli_z * a_heli_y;
-    const double n_heli_y = mc_heli_z * a_heli_1_x + heli_3;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
-    const double n_heli_1_y = n_heli_y * c_theta + n_heli_z * s_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_moving_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y_omega_heli_z);
+    const double f_moving_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
+    const double n_moving_heli_x = I_heli_xx * alpha_arm_x - mc_heli_z * a_heli_y + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy);
+    const double n_moving_heli_y = mc_heli_z * a_heli_1_x + I_heli_yy * alpha_heli_y + omega_heli_z * omega_heli_x * (I_heli_xx - p->I_z);
+    const double f_moving_heli_1_y = f_moving_heli_y * c_theta + f_moving_heli_z * s_theta;
+    const double f_moving_heli_1_z = f_moving_heli_z * c_theta - f_moving_heli_y * s_theta;
+    const double n_moving_heli_1_y = n_moving_heli_y * c_theta + n_moving_heli_z * s_theta;
+    const double n_moving_heli_1_z = n_moving_heli_z * c_theta - n_moving_heli_y * s_theta;
     /* frame arm on column */
-    const double n_arm_z = 2.0 * I_arm_yy * alpha_arm_z + n_heli_1_z + p->l_oc * f_heli_1_y;
-    const double n_column_z = n_arm_z * c_eps + n_heli_x * s_eps;
-    c[0] = n_column_z; /* psi */
-    c[1] = I_arm_yy * omega_arm_z_omega_arm_x - n_heli_1_y + p->l_oc * f_heli_1_z; /* eps */
-    c[2] = -n_heli_x; /* theta */
+    const double n_moving_arm_z = 2.0 * I_arm_yy * alpha_arm_z + n_moving_heli_1_z + p->l_oc * f_moving_heli_1_y;
+    const double n_moving_column_z = n_moving_arm_z * c_eps + n_moving_heli_x * s_eps;
+    c[0] = n_moving_column_z; /* psi */
+    c[1] = I_arm_yy * omega_arm_z_omega_arm_x - n_moving_heli_1_y + p->l_oc * f_moving_heli_1_z; /* eps */
+    c[2] = -n_moving_heli_x; /* theta */
 }
 
 void googol_gravity(const struct googol_coordinates *q, const struct googol_parameters *p, double g[3])
@@ -177,7 +176,6 @@ void googol_gravity(const struct googol_coordinates *q, const struct googol_para
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    /* gravity */
     const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
     const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
     const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
@@ -194,21 +192,23 @@ void googol_dissipation(const struct googol_coordinates *q, const struct googol_
     d[2] = p->c0_theta * v->theta; /* theta */
 }
 
-void googol_generalized_force(const struct googol_coordinates *q, const struct googol_inputs *u, const struct googol_parameters *p, double f[3])
+void googol_generalized_force(
+    const struct googol_coordinates *q,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double f[3])
 {
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double f_s = u->f_1 + u->f_2;
-    /* force rotor_1 on heli */
     const double l_df_f_1 = p->l_df * u->f_1;
-    /* force rotor_2 on heli */
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
     const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
-    const double n_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
-    f[0] = n_column_z; /* psi */
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
+    f[0] = n_applied_column_z; /* psi */
     f[1] = p->l_oc * f_s * c_theta; /* eps */
     f[2] = l_df_f_1 - l_df_f_2; /* theta */
 }
@@ -219,9 +219,7 @@ void googol_input_map(const struct googol_coordinates *q, const struct googol_pa
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    /* gravity */
     const double l_oc_c_theta = p->l_oc * c_theta;
-    /* input map */
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_eps = p->l_df * s_eps;
     s[0][0] = l_oc_c_eps_s_theta - l_df_s_eps; /* psi */
@@ -248,21 +246,21 @@ double googol_kinetic_energy(const struct googol_coordinates *q, const struct go
     const double l_oc_eps_dot = p->l_oc * v->eps;
     const double heli_1 = l_oc_omega_arm_z * c_theta - l_oc_eps_dot * s_theta;
     const double heli_2 = l_oc_omega_arm_z * s_theta + l_oc_eps_dot * c_theta;
-    /* body beam on arm */
     const double l_oa_omega_arm_z = p->l_oa * omega_arm_z;
     const double l_oa_eps_dot = p->l_oa * v->eps;
+    /* body beam on arm */
     const double beam_1 = 0.5 * p->m_b * (l_oa_omega_arm_z * l_oa_omega_arm_z + l_oa_eps_dot * l_oa_eps_dot);
-    /* body counterweight on arm */
     const double l_ob_omega_arm_z = p->l_ob * omega_arm_z;
     const double l_ob_eps_dot = p->l_ob * v->eps;
+    /* body counterweight on arm */
     const double counterweight_1 = 0.5 * p->m_c * (l_ob_omega_arm_z * l_ob_omega_arm_z + l_ob_eps_dot * l_ob_eps_dot);
-    /* body fuselage on heli */
     const double l_cd_omega_heli_y = p->l_cd * omega_heli_y;
+    /* body fuselage on heli */
     const double fuselage_1 = heli_1 + p->l_cd * omega_heli_x;
     const double fuselage_2 = l_cd_omega_heli_y * l_cd_omega_heli_y + fuselage_1 * fuselage_1;
     const double fuselage_3 = p->m_h * (heli_2 * heli_2 + fuselage_2);
-    const double fuselage_4 = p->I_x * omega_heli_x * omega_heli_x + p->I_z * omega_heli_z * omega_heli_z;
-    return beam_1 + counterweight_1 + 0.5 * (fuselage_3 + fuselage_4);
+    const double fuselage_4 = 0.5 * (fuselage_3 + p->I_x * omega_heli_x * omega_heli_x + p->I_z * omega_heli_z * omega_heli_z);
+    return beam_1 + counterweight_1 + fuselage_4;
 }
 
 double googol_potential_energy(const struct googol_coordinates *q, const struct googol_parameters *p)
@@ -277,7 +275,12 @@ double googol_potential_energy(const struct googol_coordinates *q, const struct 
     return counterweight_1 + fuselage_1;
 }
 
-void googol_inverse_dynamics(const struct googol_state *x, const struct googol_accelerations *a, const struct googol_inputs *u, const struct googol_parameters *p, double r[3])
+void googol_inverse_dynamics(
+    const struct googol_state *x,
+    const struct googol_accelerations *a,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double r[3])
 {
     const struct googol_coordinates *q = &x->q;
     const struct googol_rates *v = &x->v;
@@ -307,34 +310,35 @@ void googol_inverse_dynamics(const struct googol_state *x, const struct googol_a
     const double omega_heli_z = omega_arm_z * c_theta - s_theta * v->eps;
     const double omega_heli_x = omega_arm_x - v->theta;
     const double omega_heli_y_omega_heli_z = omega_heli_y * omega_heli_z;
-    const double heli_1 = mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
     const double alpha_heli_y = -omega_heli_z * v->theta - c_theta * a->eps - alpha_arm_z_2 * s_theta;
     const double alpha_heli_z = alpha_arm_z_2 * c_theta - s_theta * a->eps + omega_heli_y * v->theta;
-    const double heli_2 = I_heli_xx * (alpha_arm_x - a->theta) + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy);
-    const double heli_3 = omega_heli_z * omega_heli_x * (I_heli_xx - p->I_z) + I_heli_yy * alpha_heli_y;
-    const double n_heli_z = p->I_z * alpha_heli_z - p->I_x * omega_heli_y * omega_heli_x;
+    const double heli_1 = omega_heli_z * omega_heli_x * (I_heli_xx - p->I_z) + I_heli_yy * alpha_heli_y;
+    const double n_net_heli_z = p->I_z * alpha_heli_z - p->I_x * omega_heli_y * omega_heli_x;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = p->l_oc * (alpha_arm_z_2 + alpha_arm_z);
     const double a_heli_1_z = a_arm_z + p->l_oc * (a->eps + omega_arm_z_omega_arm_x);
     /* force rotor_2 on heli */
-    const double n_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
+    const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     /* frame heli on arm */
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
-    const double f_heli_y = p->m_h * a_heli_y + mc_heli_z * (a->theta - alpha_arm_x + omega_heli_y_omega_heli_z);
-    const double heli_4 = heli_2 - mc_heli_z * a_heli_y;
-    const double n_heli_y = heli_3 + mc_heli_z * (p->g * s_eps + a_heli_1_x);
-    const double f_heli_z = p->m_h * a_heli_z - heli_1 - u->f_1 - u->f_2;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
-    const double n_heli_1_y = n_heli_y * c_theta + n_heli_z * s_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_net_heli_y = p->m_h * a_heli_y + mc_heli_z * (a->theta - alpha_arm_x + omega_heli_y_omega_heli_z);
+    const double heli_2 = I_heli_xx * (alpha_arm_x - a->theta) - mc_heli_z * a_heli_y + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy);
+    const double n_net_heli_y = heli_1 + mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double f_net_heli_z = p->m_h * a_heli_z
+        - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y)
+        - u->f_1
+        - u->f_2;
+    const double f_net_heli_1_y = f_net_heli_y * c_theta + f_net_heli_z * s_theta;
+    const double f_net_heli_1_z = f_net_heli_z * c_theta - f_net_heli_y * s_theta;
+    const double n_net_heli_1_y = n_net_heli_y * c_theta + n_net_heli_z * s_theta;
+    const double n_net_heli_1_z = n_net_heli_z * c_theta - n_net_heli_y * s_theta;
     /* frame arm on column */
-    const double n_arm_z = I_arm_yy * alpha_arm_z_2 + I_arm_yy * alpha_arm_z + n_heli_1_z + p->l_oc * f_heli_1_y;
-    const double n_column_z = n_arm_z * c_eps + s_eps * (heli_4 - n_heli_x);
-    r[0] = p->c0_psi * v->psi + n_column_z; /* psi */
-    r[1] = p->c0_eps * v->eps + arm_2 - n_heli_1_y + p->l_oc * f_heli_1_z; /* eps */
-    r[2] = p->c0_theta * v->theta + n_heli_x - heli_4; /* theta */
+    const double n_net_arm_z = I_arm_yy * alpha_arm_z_2 + I_arm_yy * alpha_arm_z + n_net_heli_1_z + p->l_oc * f_net_heli_1_y;
+    const double n_net_column_z = n_net_arm_z * c_eps + s_eps * (heli_2 - n_applied_heli_x);
+    r[0] = p->c0_psi * v->psi + n_net_column_z; /* psi */
+    r[1] = p->c0_eps * v->eps + arm_2 - n_net_heli_1_y + p->l_oc * f_net_heli_1_z; /* eps */
+    r[2] = p->c0_theta * v->theta + n_applied_heli_x - heli_2; /* theta */
 }
 
 void googol_outputs(const struct googol_state *x, const struct googol_parameters *p, struct googol_outputs *y)
@@ -346,7 +350,11 @@ void googol_outputs(const struct googol_state *x, const struct googol_parameters
     y->theta = q->theta;
 }
 
-int googol_forward_dynamics(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, struct googol_accelerations *a)
+int googol_forward_dynamics(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    struct googol_accelerations *a)
 {
     const struct googol_coordinates *q = &x->q;
     const struct googol_rates *v = &x->v;
@@ -376,15 +384,13 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
     const double alpha_heli_y = -alpha_arm_z * s_theta - omega_heli_z * v->theta;
     const double alpha_heli_z = omega_heli_y * v->theta + alpha_arm_z * c_theta;
     const double omega_heli_y_omega_heli_z = omega_heli_y * omega_heli_z;
-    const double heli_1 = mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
-    const double heli_2 = I_heli_xx * alpha_arm_x + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy);
-    const double heli_3 = I_heli_yy * alpha_heli_y + omega_heli_z * omega_heli_x * (I_heli_xx - p->I_z);
-    const double n_heli_z = p->I_z * alpha_heli_z - p->I_x * omega_heli_y * omega_heli_x;
+    const double heli_1 = I_heli_yy * alpha_heli_y + omega_heli_z * omega_heli_x * (I_heli_xx - p->I_z);
+    const double n_moving_heli_z = p->I_z * alpha_heli_z - p->I_x * omega_heli_y * omega_heli_x;
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
     const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
     const double I_heli_yy_minus_I_z_c_theta = c_theta * (I_heli_yy - p->I_z);
-    const double heli_4 = I_heli_yy_minus_I_z_c_theta * c_theta;
+    const double heli_2 = I_heli_yy_minus_I_z_c_theta * c_theta;
     const double a_heli_1_x = -p->l_oc * (v->eps * v->eps + omega_arm_z * omega_arm_z);
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_z = p->l_oc * omega_arm_z_omega_arm_x + a_arm_z;
@@ -392,26 +398,27 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y_omega_heli_z);
-    const double n_heli_x = heli_2 - mc_heli_z * a_heli_y;
-    const double n_heli_y = heli_3 + mc_heli_z * (p->g * s_eps + a_heli_1_x);
-    const double n_heli_1_y = n_heli_z * s_theta + n_heli_y * c_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
-    const double f_heli_z = p->m_h * a_heli_z - heli_1 - u->f_1 - u->f_2;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
+    const double f_heli_z = p->m_h * a_heli_z - mc_heli_z * (omega_heli_x * omega_heli_x + omega_heli_y * omega_heli_y);
+    const double n_heli_x = I_heli_xx * alpha_arm_x + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy) - mc_heli_z * a_heli_y;
+    const double n_heli_y = heli_1 + mc_heli_z * (p->g * s_eps + a_heli_1_x);
+    const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
+    const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_net_heli_z = f_heli_z - u->f_1 - u->f_2;
+    const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
+    const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
-    const double M_eps_eps = I_arm_yy + p->I_z + heli_4 + l_oc_m_h_l_oc;
+    const double M_eps_eps = I_arm_yy + p->I_z + heli_2 + l_oc_m_h_l_oc;
     const double M_psi_eps = I_heli_yy_minus_I_z_c_theta * c_eps * s_theta - M_eps_theta * s_eps;
-    const double arm_2 = c_eps * (I_arm_yy + I_heli_yy - heli_4 + l_oc_m_h_l_oc - I_heli_xx);
-    const double M_psi_psi = I_heli_xx + c_eps * (arm_2 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
-    const double n_arm_z = 2.0 * I_arm_yy * alpha_arm_z + n_heli_1_z + p->l_oc * f_heli_1_y;
+    const double arm_2 = c_eps * (I_arm_yy + I_heli_yy - heli_2 + l_oc_m_h_l_oc - I_heli_xx);
+    const double arm_3 = c_eps * (arm_2 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
+    const double n_net_arm_z = 2.0 * I_arm_yy * alpha_arm_z + n_heli_1_z + p->l_oc * f_net_heli_1_y;
     /* force rotor_2 on heli */
-    const double n_heli_x_2 = p->l_df * u->f_2 - p->l_df * u->f_1;
+    const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     /* frame arm on column */
-    const double n_column_z = n_arm_z * c_eps + s_eps * (n_heli_x - n_heli_x_2);
+    const double n_net_column_z = n_net_arm_z * c_eps + s_eps * (n_heli_x - n_applied_heli_x);
     /* balance of forces */
-    const double tau_eps = n_heli_1_y - p->c0_eps * v->eps - arm_1 - p->l_oc * f_heli_1_z;
-    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_heli_x_2;
+    const double tau_eps = n_heli_1_y - p->c0_eps * v->eps - arm_1 - p->l_oc * f_net_heli_1_z;
+    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_applied_heli_x;
     /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / I_heli_xx;
     const double l_theta_psi = M_psi_theta * inv_theta;
@@ -420,10 +427,10 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
     const double inv_eps = 1.0 / pivot_eps;
     const double solve_1 = M_psi_eps - M_psi_theta * l_theta_eps;
     const double l_eps_psi = inv_eps * solve_1;
-    const double pivot_psi = M_psi_psi - solve_1 * l_eps_psi - M_psi_theta * l_theta_psi;
+    const double pivot_psi = I_heli_xx + arm_3 - solve_1 * l_eps_psi - M_psi_theta * l_theta_psi;
     const double solve_2 = tau_eps - tau_theta * l_theta_eps;
-    const double solve_3 = p->c0_psi * v->psi + n_column_z + l_eps_psi * solve_2;
-    const double psi_ddot = -(solve_3 + tau_theta * l_theta_psi) / pivot_psi;
+    const double solve_3 = p->c0_psi * v->psi + n_net_column_z + l_eps_psi * solve_2 + tau_theta * l_theta_psi;
+    const double psi_ddot = -solve_3 / pivot_psi;
     const double eps_ddot = inv_eps * solve_2 - l_eps_psi * psi_ddot;
     const double theta_ddot = tau_theta * inv_theta - l_theta_psi * psi_ddot - l_theta_eps * eps_ddot;
     if (!(I_heli_xx > 0.0)) {
@@ -441,7 +448,13 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
     return 0;
 }
 
-int googol_linearize(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, double dx[6], double a[6][6], double b[6][2])
+int googol_linearize(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2])
 {
     const struct googol_coordinates *q = &x->q;
     const struct googol_rates *v = &x->v;
@@ -469,9 +482,9 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double mc_heli_z = -p->m_h * p->l_cd;
     const double I_heli_yy = -p->l_cd * mc_heli_z;
     const double I_heli_xx = p->I_x + I_heli_yy;
-    /* frame heli on arm */
     const double s_theta_eps_dot = s_theta * v->eps;
     const double omega_arm_z_c_theta = omega_arm_z * c_theta;
+    /* frame heli on arm */
     const double omega_heli_y = -c_theta * v->eps - omega_arm_z * s_theta;
     const double omega_heli_z = omega_arm_z_c_theta - s_theta_eps_dot;
     const double omega_heli_x = omega_arm_x - v->theta;
@@ -489,7 +502,7 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double heli_3 = omega_heli_z_omega_heli_x * I_heli_xx_minus_I_z;
     const double heli_4 = p->I_x * omega_heli_y_omega_heli_x;
     const double heli_5 = I_heli_yy * (-alpha_arm_z * s_theta - omega_heli_z_theta_dot) + heli_3;
-    const double n_heli_z = -heli_4 - p->I_z * (-omega_heli_y_theta_dot - alpha_arm_z * c_theta);
+    const double n_moving_heli_z = -heli_4 - p->I_z * (-omega_heli_y_theta_dot - alpha_arm_z * c_theta);
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
     const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
@@ -505,21 +518,20 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double heli_7 = mc_heli_z * (a_arm_x + a_heli_1_x);
     const double n_heli_x = I_heli_xx * alpha_arm_x + heli_2 - mc_heli_z * a_heli_y;
     const double n_heli_y = heli_5 + heli_7;
-    const double n_heli_1_y = n_heli_z * s_theta + n_heli_y * c_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
-    const double f_heli_z = p->m_h * a_heli_z - heli_1 - f_s;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
+    const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
+    const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_net_heli_z = p->m_h * a_heli_z - heli_1 - f_s;
+    const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
+    const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
     const double M_eps_eps = I_arm_yy + p->I_z + heli_6 + l_oc_m_h_l_oc;
     const double M_psi_eps = I_heli_yy_minus_I_z_c_theta * c_eps * s_theta - M_eps_theta * s_eps;
     const double arm_2 = c_eps * (I_arm_yy + I_heli_yy - heli_6 + l_oc_m_h_l_oc - I_heli_xx);
-    const double M_psi_psi = I_heli_xx + c_eps * (arm_2 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
-    const double n_arm_z = 2.0 * I_arm_yy_alpha_arm_z + n_heli_1_z + p->l_oc * f_heli_1_y;
-    const double arm_3 = I_arm_yy * omega_arm_z_omega_arm_x + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_heli_1_z;
+    const double arm_3 = c_eps * (arm_2 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
+    const double n_net_arm_z = 2.0 * I_arm_yy_alpha_arm_z + n_heli_1_z + p->l_oc * f_net_heli_1_y;
+    const double arm_4 = I_arm_yy * omega_arm_z_omega_arm_x + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_net_heli_1_z;
     /* force rotor_2 on heli */
-    const double n_heli_x_2 = p->l_df * u->f_2 - p->l_df * u->f_1;
-    /* gravity */
+    const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     const double c_eps_s_theta = c_eps * s_theta;
     const double c_eps_c_theta = c_eps * c_theta;
     const double l_oc_c_theta = p->l_oc * c_theta;
@@ -528,9 +540,9 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double omega_arm_x_s_theta = omega_arm_x * s_theta;
     const double omega_arm_x_c_theta = omega_arm_x * c_theta;
     /* frame arm on column */
-    const double n_column_z = n_arm_z * c_eps + s_eps * (n_heli_x - n_heli_x_2);
+    const double n_net_column_z = n_net_arm_z * c_eps + s_eps * (n_heli_x - n_applied_heli_x);
     /* balance of forces */
-    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_heli_x_2;
+    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_applied_heli_x;
     /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / I_heli_xx;
     const double l_theta_psi = M_psi_theta * inv_theta;
@@ -539,32 +551,29 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double inv_eps = 1.0 / pivot_eps;
     const double solve_1 = M_psi_eps - M_psi_theta * l_theta_eps;
     const double l_eps_psi = inv_eps * solve_1;
-    const double pivot_psi = M_psi_psi - solve_1 * l_eps_psi - M_psi_theta * l_theta_psi;
+    const double pivot_psi = I_heli_xx + arm_3 - solve_1 * l_eps_psi - M_psi_theta * l_theta_psi;
     const double inv_psi = 1.0 / pivot_psi;
-    const double solve_2 = tau_theta * l_theta_eps + p->c0_eps * v->eps + arm_3;
-    const double solve_3 = p->c0_psi * v->psi + n_column_z - l_eps_psi * solve_2;
-    const double psi_ddot = -inv_psi * (solve_3 + tau_theta * l_theta_psi);
+    const double solve_2 = tau_theta * l_theta_eps + p->c0_eps * v->eps + arm_4;
+    const double psi_ddot = -inv_psi * (p->c0_psi * v->psi + n_net_column_z - l_eps_psi * solve_2 + tau_theta * l_theta_psi);
     const double eps_ddot = -inv_eps * solve_2 - l_eps_psi * psi_ddot;
     const double theta_ddot = tau_theta * inv_theta - l_theta_psi * psi_ddot - l_theta_eps * eps_ddot;
-    /* input map */
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_eps = p->l_df * s_eps;
-    /* derivatives with respect to eps */
     const double two_omega_arm_z = 2.0 * omega_arm_z;
+    /* derivatives with respect to eps */
     const double by_eps_1 = omega_heli_z * omega_arm_x_s_theta - omega_heli_y * omega_arm_x_c_theta;
     const double two_omega_heli_x = 2.0 * omega_heli_x;
     const double two_omega_heli_y = 2.0 * omega_heli_y;
     const double by_eps_2 = mc_heli_z * (omega_arm_z * two_omega_heli_x + omega_arm_x_s_theta * two_omega_heli_y);
     const double by_eps_3 = I_heli_xx_minus_I_z * (omega_arm_z * omega_heli_z - omega_heli_x * omega_arm_x_c_theta);
-    const double by_eps_4 = p->I_x * (-omega_arm_z * omega_heli_y - omega_heli_x * omega_arm_x_s_theta);
-    const double by_eps_5 = mc_heli_z * (a_arm_z + p->l_oc * omega_arm_x * two_omega_arm_z);
+    const double by_eps_4 = mc_heli_z * (a_arm_z + p->l_oc * omega_arm_x * two_omega_arm_z);
     const double l_oc_arm_1_minus_a_arm_x = p->l_oc * arm_1 - a_arm_x;
     /* derivatives with respect to psi_dot */
     const double by_psi_dot_1 = omega_arm_x * c_eps + omega_arm_z * s_eps;
     const double by_psi_dot_2 = omega_heli_z * c_eps_s_theta - omega_heli_y * c_eps_c_theta;
     const double by_psi_dot_3 = mc_heli_z * (two_omega_heli_x * s_eps - c_eps_s_theta * two_omega_heli_y);
     const double by_psi_dot_4 = I_heli_xx_minus_I_z * (omega_heli_x * c_eps_c_theta + omega_heli_z * s_eps);
-    const double by_psi_dot_5 = p->I_x * (omega_heli_x * c_eps_s_theta - omega_heli_y * s_eps);
+    const double by_psi_dot_5 = p->l_oc * mc_heli_z * two_omega_arm_z * c_eps;
     const double two_l_oc_s_eps_eps_dot = 2.0 * p->l_oc * s_eps_eps_dot;
     const double l_oc_by_psi_dot_1 = p->l_oc * by_psi_dot_1;
     const double by_psi_dot_6 = two_l_oc_s_eps_eps_dot * c_theta + l_oc_by_psi_dot_1 * s_theta;
@@ -572,44 +581,51 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double by_psi_dot_8 = p->m_h * by_psi_dot_6 + mc_heli_z * (c_eps_eps_dot + by_psi_dot_2);
     const double by_psi_dot_9 = by_psi_dot_7 - by_psi_dot_3;
     const double by_psi_dot_10 = I_heli_yy * (c_eps_c_theta * v->theta - s_eps_eps_dot * s_theta);
-    const double by_psi_dot_11 = I_heli_xx * c_eps_eps_dot - I_z_minus_I_heli_yy * by_psi_dot_2;
-    const double by_psi_dot_12 = by_psi_dot_5 - p->I_z * (s_eps_eps_dot * c_theta + c_eps_s_theta * v->theta);
-    const double by_psi_dot_13 = mc_heli_z * by_psi_dot_6 + by_psi_dot_11;
-    const double by_psi_dot_14 = by_psi_dot_4 - p->l_oc * mc_heli_z * two_omega_arm_z * c_eps - by_psi_dot_10;
-    const double by_psi_dot_15 = p->l_oc * (by_psi_dot_9 * c_theta + by_psi_dot_8 * s_theta);
-    const double by_psi_dot_16 = p->l_oc * (by_psi_dot_9 * s_theta - by_psi_dot_8 * c_theta);
-    const double by_psi_dot_17 = by_psi_dot_14 * c_theta + by_psi_dot_12 * s_theta - by_psi_dot_15;
-    const double by_psi_dot_18 = by_psi_dot_12 * c_theta - by_psi_dot_14 * s_theta + by_psi_dot_16;
-    const double by_psi_dot_19 = c_eps * (by_psi_dot_18 - 2.0 * I_arm_yy * s_eps_eps_dot);
-    const double by_psi_dot_20 = p->c0_psi + by_psi_dot_19 + by_psi_dot_13 * s_eps;
-    const double by_psi_dot_21 = by_psi_dot_17 - I_arm_yy * by_psi_dot_1 - l_theta_eps * by_psi_dot_13;
-    const double d_psi_ddot_by_psi_dot = inv_psi * (-l_theta_psi * by_psi_dot_13 - by_psi_dot_20 - l_eps_psi * by_psi_dot_21);
-    const double d_eps_ddot_by_psi_dot = inv_eps * by_psi_dot_21 - l_eps_psi * d_psi_ddot_by_psi_dot;
-    const double by_psi_dot_22 = inv_theta * by_psi_dot_13 - l_theta_psi * d_psi_ddot_by_psi_dot;
+    const double by_psi_dot_11 = p->I_z * (s_eps_eps_dot * c_theta + c_eps_s_theta * v->theta);
+    const double by_psi_dot_12 = I_heli_xx * c_eps_eps_dot - I_z_minus_I_heli_yy * by_psi_dot_2;
+    const double by_psi_dot_13 = p->I_x * (omega_heli_x * c_eps_s_theta - omega_heli_y * s_eps) - by_psi_dot_11;
+    const double by_psi_dot_14 = mc_heli_z * by_psi_dot_6 + by_psi_dot_12;
+    const double by_psi_dot_15 = by_psi_dot_4 - by_psi_dot_5 - by_psi_dot_10;
+    const double by_psi_dot_16 = by_psi_dot_15 * c_theta + by_psi_dot_13 * s_theta;
+    const double by_psi_dot_17 = by_psi_dot_13 * c_theta - by_psi_dot_15 * s_theta;
+    const double by_psi_dot_18 = p->l_oc * (by_psi_dot_9 * c_theta + by_psi_dot_8 * s_theta);
+    const double by_psi_dot_19 = p->l_oc * (by_psi_dot_9 * s_theta - by_psi_dot_8 * c_theta);
+    const double by_psi_dot_20 = by_psi_dot_17 - 2.0 * I_arm_yy * s_eps_eps_dot + by_psi_dot_19;
+    const double by_psi_dot_21 = p->c0_psi + by_psi_dot_20 * c_eps + by_psi_dot_14 * s_eps;
+    const double by_psi_dot_22 = by_psi_dot_16 - by_psi_dot_18 - I_arm_yy * by_psi_dot_1;
+    const double by_psi_dot_23 = by_psi_dot_22 - l_theta_eps * by_psi_dot_14;
+    const double d_psi_ddot_by_psi_dot = inv_psi * (-l_theta_psi * by_psi_dot_14 - by_psi_dot_21 - l_eps_psi * by_psi_dot_23);
+    const double d_eps_ddot_by_psi_dot = inv_eps * by_psi_dot_23 - l_eps_psi * d_psi_ddot_by_psi_dot;
+    const double d_theta_ddot_by_psi_dot = inv_theta * by_psi_dot_14
+        - l_theta_psi * d_psi_ddot_by_psi_dot
+        - l_theta_eps * d_eps_ddot_by_psi_dot;
     /* derivatives with respect to eps_dot */
     const double by_eps_dot_1 = omega_heli_z * c_theta + omega_heli_y * s_theta;
+    const double by_eps_dot_2 = mc_heli_z * two_omega_heli_y * c_theta;
     const double two_l_oc_omega_arm_x = 2.0 * p->l_oc * omega_arm_x;
     const double two_l_oc_omega_arm_x_c_theta = two_l_oc_omega_arm_x * c_theta;
-    const double by_eps_dot_2 = p->m_h * two_l_oc_omega_arm_x_c_theta + mc_heli_z * (omega_arm_z + by_eps_dot_1);
-    const double by_eps_dot_3 = mc_heli_z * two_omega_heli_y * c_theta - p->m_h * two_l_oc_omega_arm_x * s_theta;
-    const double by_eps_dot_4 = I_heli_yy * (s_theta * v->theta + omega_arm_x_s_theta);
-    const double by_eps_dot_5 = p->I_z * (c_theta * v->theta + omega_arm_x_c_theta);
-    const double by_eps_dot_6 = by_eps_dot_4 - I_heli_xx_minus_I_z * omega_heli_x * s_theta;
-    const double by_eps_dot_7 = p->I_x * omega_heli_x * c_theta - by_eps_dot_5;
-    const double by_eps_dot_8 = mc_heli_z * two_l_oc_omega_arm_x_c_theta + I_heli_xx * omega_arm_z - I_z_minus_I_heli_yy * by_eps_dot_1;
-    const double by_eps_dot_9 = by_eps_dot_6 - 2.0 * p->l_oc * mc_heli_z * v->eps;
-    const double by_eps_dot_10 = p->l_oc * (by_eps_dot_3 * c_theta + by_eps_dot_2 * s_theta);
-    const double by_eps_dot_11 = p->l_oc * (by_eps_dot_3 * s_theta - by_eps_dot_2 * c_theta);
-    const double by_eps_dot_12 = by_eps_dot_7 * c_theta - by_eps_dot_9 * s_theta + by_eps_dot_11;
-    const double by_eps_dot_13 = by_eps_dot_10 - by_eps_dot_9 * c_theta - by_eps_dot_7 * s_theta;
-    const double by_eps_dot_14 = c_eps * (by_eps_dot_12 - 2.0 * I_arm_yy * omega_arm_x);
-    const double by_eps_dot_15 = p->c0_eps + by_eps_dot_13 + l_theta_eps * by_eps_dot_8;
-    const double by_eps_dot_16 = l_eps_psi * by_eps_dot_15 - by_eps_dot_14 - by_eps_dot_8 * s_eps;
-    const double d_psi_ddot_by_eps_dot = inv_psi * (by_eps_dot_16 - l_theta_psi * by_eps_dot_8);
-    const double d_eps_ddot_by_eps_dot = -inv_eps * by_eps_dot_15 - l_eps_psi * d_psi_ddot_by_eps_dot;
-    const double by_eps_dot_17 = inv_theta * by_eps_dot_8 - l_theta_psi * d_psi_ddot_by_eps_dot;
-    /* derivatives with respect to theta_dot */
+    const double by_eps_dot_3 = p->m_h * two_l_oc_omega_arm_x_c_theta + mc_heli_z * (omega_arm_z + by_eps_dot_1);
+    const double by_eps_dot_4 = by_eps_dot_2 - p->m_h * two_l_oc_omega_arm_x * s_theta;
+    const double by_eps_dot_5 = I_heli_yy * (s_theta * v->theta + omega_arm_x_s_theta);
+    const double by_eps_dot_6 = p->I_z * (c_theta * v->theta + omega_arm_x_c_theta);
+    const double by_eps_dot_7 = by_eps_dot_5 - I_heli_xx_minus_I_z * omega_heli_x * s_theta;
+    const double by_eps_dot_8 = p->I_x * omega_heli_x * c_theta - by_eps_dot_6;
+    const double by_eps_dot_9 = mc_heli_z * two_l_oc_omega_arm_x_c_theta + I_heli_xx * omega_arm_z - I_z_minus_I_heli_yy * by_eps_dot_1;
+    const double by_eps_dot_10 = by_eps_dot_7 - 2.0 * p->l_oc * mc_heli_z * v->eps;
+    const double by_eps_dot_11 = by_eps_dot_10 * c_theta + by_eps_dot_8 * s_theta;
+    const double by_eps_dot_12 = by_eps_dot_8 * c_theta - by_eps_dot_10 * s_theta;
+    const double by_eps_dot_13 = p->l_oc * (by_eps_dot_4 * c_theta + by_eps_dot_3 * s_theta);
+    const double by_eps_dot_14 = p->l_oc * (by_eps_dot_4 * s_theta - by_eps_dot_3 * c_theta);
+    const double by_eps_dot_15 = c_eps * (by_eps_dot_12 - 2.0 * I_arm_yy * omega_arm_x + by_eps_dot_14);
+    const double by_eps_dot_16 = p->c0_eps + by_eps_dot_13 - by_eps_dot_11 + l_theta_eps * by_eps_dot_9;
+    const double by_eps_dot_17 = l_eps_psi * by_eps_dot_16 - by_eps_dot_15 - by_eps_dot_9 * s_eps;
+    const double d_psi_ddot_by_eps_dot = inv_psi * (by_eps_dot_17 - l_theta_psi * by_eps_dot_9);
+    const double d_eps_ddot_by_eps_dot = -inv_eps * by_eps_dot_16 - l_eps_psi * d_psi_ddot_by_eps_dot;
+    const double d_theta_ddot_by_eps_dot = inv_theta * by_eps_dot_9
+        - l_theta_psi * d_psi_ddot_by_eps_dot
+        - l_theta_eps * d_eps_ddot_by_eps_dot;
     const double two_mc_heli_z_omega_heli_x = 2.0 * mc_heli_z * omega_heli_x;
+    /* derivatives with respect to theta_dot */
     const double by_theta_dot_1 = I_heli_xx_minus_I_z * (s_theta_eps_dot - omega_arm_z_c_theta) - I_heli_yy * omega_heli_z;
     const double by_theta_dot_2 = p->I_z * omega_heli_y + p->I_x * omega_heli_y;
     const double by_theta_dot_3 = by_theta_dot_1 * c_theta + by_theta_dot_2 * s_theta;
@@ -618,7 +634,9 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double by_theta_dot_6 = by_theta_dot_3 - p->l_oc * two_mc_heli_z_omega_heli_x * c_theta + p->c0_theta * l_theta_eps;
     const double d_psi_ddot_by_theta_dot = -inv_psi * (by_theta_dot_5 + l_eps_psi * by_theta_dot_6 - p->c0_theta * l_theta_psi);
     const double d_eps_ddot_by_theta_dot = inv_eps * by_theta_dot_6 - l_eps_psi * d_psi_ddot_by_theta_dot;
-    const double by_theta_dot_7 = p->c0_theta * inv_theta + l_theta_psi * d_psi_ddot_by_theta_dot;
+    const double d_theta_ddot_by_theta_dot = -p->c0_theta * inv_theta
+        - l_theta_psi * d_psi_ddot_by_theta_dot
+        - l_theta_eps * d_eps_ddot_by_theta_dot;
     /* slopes of the balance of forces, at the accelerations found */
     const double slopes_1 = alpha_arm_x + psi_ddot * s_eps;
     const double slopes_2 = alpha_arm_z + psi_ddot * c_eps;
@@ -633,60 +651,62 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     const double m_h_slopes_8 = p->m_h * slopes_8;
     const double slopes_9 = mc_heli_z * (slopes_1_minus_theta_ddot - omega_heli_y_omega_heli_z) + m_h_slopes_7;
     const double heli_4_plus_I_z_slopes_6 = heli_4 + p->I_z * slopes_6;
-    const double slopes_10 = heli_3 - I_heli_yy * slopes_5 + heli_7;
-    const double slopes_11 = m_h_slopes_8 - heli_1 - f_s;
-    const double slopes_12 = I_heli_xx * slopes_1_minus_theta_ddot + heli_2 + mc_heli_z * slopes_7 - n_heli_x_2;
+    const double slopes_10 = I_heli_xx * slopes_1_minus_theta_ddot + heli_2 + mc_heli_z * slopes_7;
+    const double slopes_11 = heli_3 - I_heli_yy * slopes_5 + heli_7;
+    const double slopes_12 = m_h_slopes_8 - heli_1 - f_s;
     const double slopes_9_c_theta = slopes_9 * c_theta;
+    const double slopes_12_s_theta = slopes_12 * s_theta;
     const double slopes_11_s_theta = slopes_11 * s_theta;
-    const double slopes_10_s_theta = slopes_10 * s_theta;
     const double slopes_13 = heli_4_plus_I_z_slopes_6 * c_theta;
-    const double slopes_14 = p->l_oc * (slopes_11_s_theta - slopes_9_c_theta) - slopes_13 - slopes_10_s_theta;
+    const double slopes_14 = p->l_oc * (slopes_12_s_theta - slopes_9_c_theta) - slopes_13 - slopes_11_s_theta;
     const double slopes_15 = s_eps * (slopes_14 + I_arm_yy_alpha_arm_z + I_arm_yy * slopes_2);
-    const double slopes_16 = p->l_oc * (alpha_arm_x + slopes_1);
-    const double slopes_17 = l_oc_arm_1_minus_a_arm_x * s_theta + slopes_16 * c_theta;
-    const double slopes_18 = p->m_h * (l_oc_arm_1_minus_a_arm_x * c_theta - slopes_16 * s_theta);
-    const double slopes_19 = p->m_h * slopes_17 - mc_heli_z * (by_eps_1 - slopes_2);
-    const double slopes_18_minus_by_eps_2 = slopes_18 - by_eps_2;
-    const double slopes_20 = I_heli_yy * (omega_arm_x_c_theta * v->theta + slopes_1 * s_theta);
-    const double slopes_21 = I_z_minus_I_heli_yy * by_eps_1 + I_heli_xx * slopes_2;
-    const double slopes_22 = by_eps_4 + p->I_z * (omega_arm_x_s_theta * v->theta - slopes_1 * c_theta);
-    const double slopes_23 = slopes_21 + mc_heli_z * slopes_17;
-    const double slopes_24 = by_eps_3 + slopes_20 + by_eps_5;
-    const double slopes_25 = p->l_oc * (slopes_19 * s_theta + slopes_18_minus_by_eps_2 * c_theta);
-    const double slopes_26 = p->l_oc * (slopes_18_minus_by_eps_2 * s_theta - slopes_19 * c_theta);
-    const double slopes_27 = slopes_24 * c_theta + slopes_22 * s_theta - slopes_25;
-    const double slopes_28 = slopes_22 * c_theta - slopes_24 * s_theta + slopes_26;
-    const double slopes_29 = c_eps * (slopes_28 - I_arm_yy * alpha_arm_x - I_arm_yy * slopes_1);
-    const double slopes_30 = slopes_12 * c_eps + slopes_23 * s_eps;
-    const double slopes_31 = m_h_slopes_8 - mc_heli_z * (omega_heli_y_sq - omega_heli_z_sq);
-    const double slopes_32 = mc_heli_z * omega_heli_z * two_omega_heli_y - m_h_slopes_7;
-    const double slopes_33 = omega_heli_y_omega_heli_x * I_heli_xx_minus_I_z + I_heli_yy * slopes_6;
-    const double slopes_34 = p->I_x * omega_heli_z_omega_heli_x - p->I_z * slopes_5;
-    const double slopes_35 = I_z_minus_I_heli_yy * (omega_heli_z_sq - omega_heli_y_sq) - mc_heli_z * slopes_8;
-    const double slopes_36 = slopes_31 * c_theta - slopes_9 * s_theta;
-    const double slopes_37 = slopes_9_c_theta + slopes_31 * s_theta;
-    const double slopes_38 = slopes_11 * c_theta + slopes_32 * s_theta - slopes_36;
-    const double slopes_39 = slopes_10_s_theta - slopes_33 * c_theta;
-    const double slopes_40 = slopes_10 * c_theta + slopes_33 * s_theta;
-    const double slopes_41 = slopes_34 * c_theta + heli_4_plus_I_z_slopes_6 * s_theta - slopes_40;
-    const double slopes_42 = p->l_oc * (slopes_32 * c_theta - slopes_11_s_theta + slopes_37);
-    const double slopes_43 = c_eps * (slopes_41 + p->l_oc * slopes_38);
+    const double slopes_16 = c_eps * (slopes_10 - n_applied_heli_x);
+    const double slopes_17 = p->l_oc * (alpha_arm_x + slopes_1);
+    const double slopes_18 = l_oc_arm_1_minus_a_arm_x * s_theta + slopes_17 * c_theta;
+    const double slopes_19 = p->m_h * (l_oc_arm_1_minus_a_arm_x * c_theta - slopes_17 * s_theta);
+    const double slopes_20 = p->m_h * slopes_18 - mc_heli_z * (by_eps_1 - slopes_2);
+    const double slopes_19_minus_by_eps_2 = slopes_19 - by_eps_2;
+    const double slopes_21 = I_heli_yy * (omega_arm_x_c_theta * v->theta + slopes_1 * s_theta);
+    const double slopes_22 = p->I_z * (omega_arm_x_s_theta * v->theta - slopes_1 * c_theta);
+    const double slopes_23 = I_z_minus_I_heli_yy * by_eps_1 + I_heli_xx * slopes_2;
+    const double slopes_24 = p->I_x * (-omega_arm_z * omega_heli_y - omega_heli_x * omega_arm_x_s_theta) + slopes_22;
+    const double slopes_25 = slopes_23 + mc_heli_z * slopes_18;
+    const double slopes_26 = by_eps_3 + slopes_21 + by_eps_4;
+    const double slopes_27 = slopes_26 * c_theta + slopes_24 * s_theta;
+    const double slopes_28 = slopes_24 * c_theta - slopes_26 * s_theta;
+    const double slopes_29 = p->l_oc * (slopes_20 * s_theta + slopes_19_minus_by_eps_2 * c_theta);
+    const double slopes_30 = p->l_oc * (slopes_19_minus_by_eps_2 * s_theta - slopes_20 * c_theta);
+    const double slopes_31 = slopes_28 + slopes_30 - I_arm_yy * alpha_arm_x - I_arm_yy * slopes_1;
+    const double slopes_32 = slopes_16 + slopes_25 * s_eps;
+    const double slopes_33 = slopes_31 * c_eps - slopes_15 + slopes_32;
+    const double slopes_34 = m_h_slopes_8 - mc_heli_z * (omega_heli_y_sq - omega_heli_z_sq);
+    const double slopes_35 = mc_heli_z * omega_heli_z * two_omega_heli_y - m_h_slopes_7;
+    const double slopes_36 = omega_heli_y_omega_heli_x * I_heli_xx_minus_I_z + I_heli_yy * slopes_6;
+    const double slopes_37 = p->I_x * omega_heli_z_omega_heli_x - p->I_z * slopes_5;
+    const double slopes_38 = I_z_minus_I_heli_yy * (omega_heli_z_sq - omega_heli_y_sq) - mc_heli_z * slopes_8;
+    const double slopes_39 = slopes_34 * c_theta - slopes_9 * s_theta;
+    const double slopes_40 = slopes_12 * c_theta + slopes_35 * s_theta;
+    const double slopes_41 = slopes_9_c_theta + slopes_34 * s_theta;
+    const double slopes_42 = slopes_11_s_theta - slopes_36 * c_theta;
+    const double slopes_43 = slopes_11 * c_theta + slopes_36 * s_theta;
+    const double slopes_44 = slopes_37 * c_theta + heli_4_plus_I_z_slopes_6 * s_theta;
+    const double slopes_45 = slopes_37 * s_theta - slopes_13 - slopes_42;
+    const double slopes_46 = p->l_oc * (slopes_35 * c_theta - slopes_12_s_theta + slopes_41);
+    const double slopes_47 = slopes_44 - slopes_43 + p->l_oc * (slopes_40 - slopes_39);
     /* derivatives with respect to eps */
-    const double by_eps_6 = slopes_27 - I_arm_yy * arm_1 + mc_arm_x * a_arm_x;
-    const double by_eps_7 = by_eps_6 - l_theta_eps * slopes_23;
-    const double by_eps_8 = slopes_29 - slopes_15 + slopes_30 + l_eps_psi * by_eps_7;
-    const double d_psi_ddot_by_eps = inv_psi * (-l_theta_psi * slopes_23 - by_eps_8);
-    const double d_eps_ddot_by_eps = inv_eps * by_eps_7 - l_eps_psi * d_psi_ddot_by_eps;
-    const double by_eps_9 = inv_theta * slopes_23 - l_theta_psi * d_psi_ddot_by_eps;
+    const double by_eps_5 = slopes_27 - slopes_29 - I_arm_yy * arm_1 + mc_arm_x * a_arm_x;
+    const double by_eps_6 = by_eps_5 - l_theta_eps * slopes_25;
+    const double d_psi_ddot_by_eps = inv_psi * (-l_theta_psi * slopes_25 - slopes_33 - l_eps_psi * by_eps_6);
+    const double d_eps_ddot_by_eps = inv_eps * by_eps_6 - l_eps_psi * d_psi_ddot_by_eps;
+    const double d_theta_ddot_by_eps = inv_theta * slopes_25 - l_theta_psi * d_psi_ddot_by_eps - l_theta_eps * d_eps_ddot_by_eps;
     /* derivatives with respect to theta */
-    const double by_theta_1 = slopes_34 * s_theta - slopes_13 - slopes_39 - slopes_42;
-    const double by_theta_2 = by_theta_1 + l_theta_eps * slopes_35;
-    const double by_theta_3 = slopes_35 * s_eps - slopes_43 - l_eps_psi * by_theta_2;
-    const double d_psi_ddot_by_theta = inv_psi * (by_theta_3 + l_theta_psi * slopes_35);
+    const double by_theta_1 = slopes_38 * s_eps - slopes_47 * c_eps;
+    const double by_theta_2 = slopes_45 - slopes_46 + l_theta_eps * slopes_38;
+    const double d_psi_ddot_by_theta = inv_psi * (by_theta_1 - l_eps_psi * by_theta_2 + l_theta_psi * slopes_38);
     const double d_eps_ddot_by_theta = inv_eps * by_theta_2 - l_eps_psi * d_psi_ddot_by_theta;
-    const double by_theta_4 = l_theta_psi * d_psi_ddot_by_theta + inv_theta * slopes_35;
-    /* derivatives with respect to f_1 */
+    const double d_theta_ddot_by_theta = -l_theta_psi * d_psi_ddot_by_theta - inv_theta * slopes_38 - l_theta_eps * d_eps_ddot_by_theta;
     const double l_df_l_theta_eps = p->l_df * l_theta_eps;
+    /* derivatives with respect to f_1 */
     const double by_f_1_1 = l_oc_c_theta - l_df_l_theta_eps;
     const double l_df_l_theta_psi = p->l_df * l_theta_psi;
     const double by_f_1_2 = l_oc_c_eps_s_theta - l_df_s_eps - l_eps_psi * by_f_1_1 - l_df_l_theta_psi;
@@ -733,11 +753,11 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     a[4][3] = d_eps_ddot_by_psi_dot;
     a[4][4] = d_eps_ddot_by_eps_dot;
     a[4][5] = d_eps_ddot_by_theta_dot;
-    a[5][1] = by_eps_9 - l_theta_eps * d_eps_ddot_by_eps; /* theta'' */
-    a[5][2] = -by_theta_4 - l_theta_eps * d_eps_ddot_by_theta;
-    a[5][3] = by_psi_dot_22 - l_theta_eps * d_eps_ddot_by_psi_dot;
-    a[5][4] = by_eps_dot_17 - l_theta_eps * d_eps_ddot_by_eps_dot;
-    a[5][5] = -by_theta_dot_7 - l_theta_eps * d_eps_ddot_by_theta_dot;
+    a[5][1] = d_theta_ddot_by_eps; /* theta'' */
+    a[5][2] = d_theta_ddot_by_theta;
+    a[5][3] = d_theta_ddot_by_psi_dot;
+    a[5][4] = d_theta_ddot_by_eps_dot;
+    a[5][5] = d_theta_ddot_by_theta_dot;
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 2; j++) {
             b[i][j] = 0.0;
@@ -752,7 +772,11 @@ int googol_linearize(const struct googol_state *x, const struct googol_inputs *u
     return 0;
 }
 
-int googol_parameter_jacobian(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, double by_p[6][14])
+int googol_parameter_jacobian(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double by_p[6][14])
 {
     const struct googol_coordinates *q = &x->q;
     const struct googol_rates *v = &x->v;
@@ -790,13 +814,12 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double mc_heli_z_heli_1 = mc_heli_z * heli_1;
     const double heli_2 = I_heli_yy * (-alpha_arm_z * s_theta - omega_heli_z_theta_dot);
     const double omega_heli_y_omega_heli_x = omega_heli_y * omega_heli_x;
-    const double heli_3 = I_heli_xx * alpha_arm_x + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy);
-    const double n_heli_z = -p->I_x * omega_heli_y_omega_heli_x - p->I_z * (-omega_heli_y_theta_dot - alpha_arm_z * c_theta);
+    const double n_moving_heli_z = -p->I_x * omega_heli_y_omega_heli_x - p->I_z * (-omega_heli_y_theta_dot - alpha_arm_z * c_theta);
     const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
     const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
     const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
     const double I_heli_yy_minus_I_z_c_theta = c_theta * (I_heli_yy - p->I_z);
-    const double heli_4 = I_heli_yy_minus_I_z_c_theta * c_theta;
+    const double heli_3 = I_heli_yy_minus_I_z_c_theta * c_theta;
     const double a_heli_1_y = 2.0 * p->l_oc * alpha_arm_z;
     const double a_heli_1_x = p->g * s_eps - p->l_oc * arm_1;
     const double a_heli_1_z = p->l_oc * omega_arm_z_omega_arm_x + a_arm_z;
@@ -804,28 +827,27 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double a_heli_y = a_heli_1_y * c_theta - a_heli_1_z * s_theta;
     const double a_heli_z = a_heli_1_y * s_theta + a_heli_1_z * c_theta;
     const double f_heli_y = p->m_h * a_heli_y - mc_heli_z * (alpha_arm_x - omega_heli_y_omega_heli_z);
-    const double n_heli_x = heli_3 - mc_heli_z * a_heli_y;
+    const double n_heli_x = I_heli_xx * alpha_arm_x + omega_heli_y_omega_heli_z * (p->I_z - I_heli_yy) - mc_heli_z * a_heli_y;
     const double n_heli_y = heli_2 + omega_heli_z_omega_heli_x * (I_heli_xx - p->I_z) + mc_heli_z * a_heli_1_x;
-    const double n_heli_1_y = n_heli_z * s_theta + n_heli_y * c_theta;
-    const double n_heli_1_z = n_heli_z * c_theta - n_heli_y * s_theta;
-    const double f_heli_z = p->m_h * a_heli_z - mc_heli_z_heli_1 - f_s;
-    const double f_heli_1_y = f_heli_y * c_theta + f_heli_z * s_theta;
-    const double f_heli_1_z = f_heli_z * c_theta - f_heli_y * s_theta;
+    const double n_heli_1_y = n_moving_heli_z * s_theta + n_heli_y * c_theta;
+    const double n_heli_1_z = n_moving_heli_z * c_theta - n_heli_y * s_theta;
+    const double f_net_heli_z = p->m_h * a_heli_z - mc_heli_z_heli_1 - f_s;
+    const double f_net_heli_1_y = f_heli_y * c_theta + f_net_heli_z * s_theta;
+    const double f_net_heli_1_z = f_net_heli_z * c_theta - f_heli_y * s_theta;
     /* frame arm on column */
-    const double M_eps_eps = I_arm_yy + p->I_z + heli_4 + l_oc_m_h_l_oc;
+    const double M_eps_eps = I_arm_yy + p->I_z + heli_3 + l_oc_m_h_l_oc;
     const double M_psi_eps = I_heli_yy_minus_I_z_c_theta * c_eps * s_theta - M_eps_theta * s_eps;
-    const double arm_2 = c_eps * (I_arm_yy + I_heli_yy - heli_4 + l_oc_m_h_l_oc - I_heli_xx);
-    const double M_psi_psi = I_heli_xx + c_eps * (arm_2 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
-    const double n_arm_z = 2.0 * I_arm_yy * alpha_arm_z + n_heli_1_z + p->l_oc * f_heli_1_y;
-    const double arm_3 = I_arm_yy * omega_arm_z_omega_arm_x + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_heli_1_z;
+    const double arm_2 = c_eps * (I_arm_yy + I_heli_yy - heli_3 + l_oc_m_h_l_oc - I_heli_xx);
+    const double arm_3 = c_eps * (arm_2 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
+    const double n_net_arm_z = 2.0 * I_arm_yy * alpha_arm_z + n_heli_1_z + p->l_oc * f_net_heli_1_y;
+    const double arm_4 = I_arm_yy * omega_arm_z_omega_arm_x + mc_arm_x * a_arm_z - n_heli_1_y + p->l_oc * f_net_heli_1_z;
     /* force rotor_2 on heli */
-    const double n_heli_x_2 = p->l_df * u->f_2 - p->l_df * u->f_1;
-    /* gravity */
+    const double n_applied_heli_x = p->l_df * u->f_2 - p->l_df * u->f_1;
     const double c_eps_s_theta = c_eps * s_theta;
     /* frame arm on column */
-    const double n_column_z = n_arm_z * c_eps + s_eps * (n_heli_x - n_heli_x_2);
+    const double n_net_column_z = n_net_arm_z * c_eps + s_eps * (n_heli_x - n_applied_heli_x);
     /* balance of forces */
-    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_heli_x_2;
+    const double tau_theta = n_heli_x - p->c0_theta * v->theta - n_applied_heli_x;
     /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / I_heli_xx;
     const double l_theta_psi = M_psi_theta * inv_theta;
@@ -834,11 +856,10 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double inv_eps = 1.0 / pivot_eps;
     const double solve_1 = M_psi_eps - M_psi_theta * l_theta_eps;
     const double l_eps_psi = inv_eps * solve_1;
-    const double pivot_psi = M_psi_psi - solve_1 * l_eps_psi - M_psi_theta * l_theta_psi;
+    const double pivot_psi = I_heli_xx + arm_3 - solve_1 * l_eps_psi - M_psi_theta * l_theta_psi;
     const double inv_psi = 1.0 / pivot_psi;
-    const double solve_2 = tau_theta * l_theta_eps + p->c0_eps * v->eps + arm_3;
-    const double solve_3 = p->c0_psi * v->psi + n_column_z - l_eps_psi * solve_2;
-    const double psi_ddot = -inv_psi * (solve_3 + tau_theta * l_theta_psi);
+    const double solve_2 = tau_theta * l_theta_eps + p->c0_eps * v->eps + arm_4;
+    const double psi_ddot = -inv_psi * (p->c0_psi * v->psi + n_net_column_z - l_eps_psi * solve_2 + tau_theta * l_theta_psi);
     const double eps_ddot = -inv_eps * solve_2 - l_eps_psi * psi_ddot;
     const double theta_ddot = tau_theta * inv_theta - l_theta_psi * psi_ddot - l_theta_eps * eps_ddot;
     /* slopes of the balance of forces, at the accelerations found */
@@ -856,31 +877,29 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double slopes_9 = slopes_6 - omega_heli_y_omega_heli_z;
     const double slopes_10 = mc_heli_z * slopes_9 + m_h_slopes_7;
     const double slopes_11 = p->m_h * slopes_8 - mc_heli_z_heli_1 - f_s;
+    const double slopes_12 = slopes_11 * s_theta - slopes_10 * c_theta;
+    const double slopes_13 = slopes_11 * c_theta + slopes_10 * s_theta;
     const double l_cd_slopes_9_minus_slopes_7 = p->l_cd * slopes_9 - slopes_7;
     const double slopes_8_plus_l_cd_heli_1 = slopes_8 + p->l_cd * heli_1;
-    const double slopes_12 = p->l_oc * (slopes_8_plus_l_cd_heli_1 * c_theta - l_cd_slopes_9_minus_slopes_7 * s_theta);
-    const double slopes_13 = p->l_oc * (l_cd_slopes_9_minus_slopes_7 * c_theta + slopes_8_plus_l_cd_heli_1 * s_theta);
-    const double slopes_14 = slopes_2 * s_theta - alpha_arm_z_plus_slopes_1 * c_theta;
-    const double m_h_slopes_14 = p->m_h * slopes_14;
-    const double slopes_15 = p->m_h * (slopes_2 * c_theta + alpha_arm_z_plus_slopes_1 * s_theta);
-    const double mc_heli_z_slopes_14 = mc_heli_z * slopes_14;
-    const double slopes_16 = p->l_oc * (m_h_slopes_14 * s_theta + slopes_15 * c_theta);
-    const double slopes_17 = slopes_11 * c_theta + slopes_10 * s_theta + slopes_16;
-    const double slopes_18 = p->l_oc * (slopes_15 * s_theta - m_h_slopes_14 * c_theta);
-    const double slopes_19 = slopes_11 * s_theta - slopes_10 * c_theta + slopes_18;
+    const double slopes_14 = p->l_oc * (slopes_8_plus_l_cd_heli_1 * c_theta - l_cd_slopes_9_minus_slopes_7 * s_theta);
+    const double slopes_15 = p->l_oc * (l_cd_slopes_9_minus_slopes_7 * c_theta + slopes_8_plus_l_cd_heli_1 * s_theta);
+    const double slopes_16 = slopes_2 * s_theta - alpha_arm_z_plus_slopes_1 * c_theta;
+    const double m_h_slopes_16 = p->m_h * slopes_16;
+    const double slopes_17 = p->m_h * (slopes_2 * c_theta + alpha_arm_z_plus_slopes_1 * s_theta);
+    const double mc_heli_z_slopes_16 = mc_heli_z * slopes_16;
+    const double slopes_18 = p->l_oc * (m_h_slopes_16 * s_theta + slopes_17 * c_theta);
+    const double slopes_19 = p->l_oc * (slopes_17 * s_theta - m_h_slopes_16 * c_theta);
     const double m_h_slopes_9 = p->m_h * slopes_9;
-    /* derivatives with respect to m_h */
     const double l_cd_sq = p->l_cd * p->l_cd;
-    /* derivatives with respect to m_b */
     const double l_oa_sq = p->l_oa * p->l_oa;
-    /* derivatives with respect to m_c */
     const double l_ob_sq = p->l_ob * p->l_ob;
+    /* derivatives with respect to m_c */
     const double by_m_c_1 = p->l_ob * a_arm_z - omega_arm_z_omega_arm_x * l_ob_sq - eps_ddot * l_ob_sq;
-    /* derivatives with respect to g */
     const double mc_heli_z_s_eps = mc_heli_z * s_eps;
     const double m_h_c_eps_s_theta = p->m_h * c_eps_s_theta;
     const double m_h_c_eps_c_theta = p->m_h * c_eps * c_theta;
     const double mc_heli_z_c_eps_s_theta = mc_heli_z * c_eps_s_theta;
+    /* derivatives with respect to g */
     const double by_g_1 = p->l_oc * (m_h_c_eps_s_theta * s_theta + m_h_c_eps_c_theta * c_theta);
     const double by_g_2 = p->l_oc * (m_h_c_eps_c_theta * s_theta - m_h_c_eps_s_theta * c_theta);
     const double by_g_3 = mc_arm_x * c_eps - mc_heli_z_s_eps * c_theta + by_g_1;
@@ -889,16 +908,15 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double by_g_6 = l_eps_psi * by_g_5 - mc_heli_z_c_eps_s_theta * s_eps - by_g_4;
     const double d_psi_ddot_by_g = inv_psi * (by_g_6 - l_theta_psi * mc_heli_z_c_eps_s_theta);
     const double d_eps_ddot_by_g = -inv_eps * by_g_5 - l_eps_psi * d_psi_ddot_by_g;
-    const double by_g_7 = inv_theta * mc_heli_z_c_eps_s_theta - l_theta_psi * d_psi_ddot_by_g;
-    /* derivatives with respect to l_oc */
+    const double d_theta_ddot_by_g = inv_theta * mc_heli_z_c_eps_s_theta - l_theta_psi * d_psi_ddot_by_g - l_theta_eps * d_eps_ddot_by_g;
     const double mc_heli_z_arm_1 = mc_heli_z * arm_1;
-    const double by_l_oc_1 = mc_heli_z_arm_1 * c_theta + slopes_17 + l_theta_eps * mc_heli_z_slopes_14;
-    /* derivatives with respect to l_ob */
+    /* derivatives with respect to l_oc */
+    const double by_l_oc_1 = mc_heli_z_arm_1 * c_theta + slopes_13 + slopes_18;
+    const double by_l_oc_2 = by_l_oc_1 + l_theta_eps * mc_heli_z_slopes_16;
     const double two_m_c_l_ob = 2.0 * m_c_l_ob;
+    /* derivatives with respect to l_ob */
     const double by_l_ob_1 = p->m_c * a_arm_z - omega_arm_z_omega_arm_x * two_m_c_l_ob - eps_ddot * two_m_c_l_ob;
-    /* derivatives with respect to l_oa */
     const double two_m_b_l_oa = 2.0 * m_b_l_oa;
-    /* derivatives with respect to l_cd */
     const double two_mc_heli_z = 2.0 * mc_heli_z;
     const double m_h_heli_1 = p->m_h * heli_1;
     /* derivatives with respect to I_x */
@@ -909,69 +927,78 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double by_I_x_5 = by_I_x_3 + slopes_6 * s_eps + l_eps_psi * by_I_x_4;
     const double d_psi_ddot_by_I_x = inv_psi * (-l_theta_psi * slopes_6 - by_I_x_5);
     const double d_eps_ddot_by_I_x = inv_eps * by_I_x_4 - l_eps_psi * d_psi_ddot_by_I_x;
-    const double by_I_x_6 = inv_theta * slopes_6 - l_theta_psi * d_psi_ddot_by_I_x;
+    const double d_theta_ddot_by_I_x = inv_theta * slopes_6 - l_theta_psi * d_psi_ddot_by_I_x - l_theta_eps * d_eps_ddot_by_I_x;
     /* slopes of the balance of forces, at the accelerations found */
     const double slopes_20 = slopes_6 * l_cd_sq - omega_heli_y_omega_heli_z * l_cd_sq;
-    const double slopes_21 = slopes_20 - p->l_cd * slopes_7;
-    const double slopes_22 = omega_heli_z_omega_heli_x * l_cd_sq - slopes_4 * l_cd_sq - p->l_cd * a_heli_1_x;
-    const double slopes_23 = c_eps * (slopes_13 - slopes_22 * s_theta);
-    const double slopes_24 = p->l_oa * a_arm_z + omega_arm_z_omega_arm_x * l_oa_sq + eps_ddot * l_oa_sq;
-    const double slopes_25 = c_eps * (-alpha_arm_z * l_oa_sq - slopes_1 * l_oa_sq);
-    const double slopes_26 = c_eps * (-alpha_arm_z * l_ob_sq - slopes_1 * l_ob_sq);
-    const double slopes_27 = c_eps * (slopes_19 + mc_heli_z_arm_1 * s_theta);
-    const double slopes_28 = c_eps * (-alpha_arm_z * two_m_c_l_ob - slopes_1 * two_m_c_l_ob);
-    const double slopes_29 = p->m_b * a_arm_z + omega_arm_z_omega_arm_x * two_m_b_l_oa + eps_ddot * two_m_b_l_oa;
-    const double slopes_30 = c_eps * (-alpha_arm_z * two_m_b_l_oa - slopes_1 * two_m_b_l_oa);
-    const double slopes_31 = 2.0 * omega_heli_y_omega_heli_z * mc_heli_z - slopes_6 * two_mc_heli_z - m_h_slopes_7;
-    const double slopes_32 = slopes_4 * two_mc_heli_z - omega_heli_z_omega_heli_x * two_mc_heli_z - p->m_h * a_heli_1_x;
-    const double slopes_33 = p->l_oc * (m_h_heli_1 * c_theta - m_h_slopes_9 * s_theta);
-    const double slopes_34 = p->l_oc * (m_h_heli_1 * s_theta + m_h_slopes_9 * c_theta);
-    const double slopes_35 = c_eps * (slopes_34 - slopes_32 * s_theta);
-    const double slopes_36 = c_eps * (by_I_x_2 - slopes_5 * c_theta);
+    const double slopes_21 = omega_heli_z_omega_heli_x * l_cd_sq - slopes_4 * l_cd_sq;
+    const double slopes_22 = slopes_20 - p->l_cd * slopes_7;
+    const double slopes_23 = slopes_21 - p->l_cd * a_heli_1_x;
+    const double slopes_24 = c_eps * (slopes_15 - slopes_23 * s_theta);
+    const double slopes_25 = p->l_oa * a_arm_z + omega_arm_z_omega_arm_x * l_oa_sq + eps_ddot * l_oa_sq;
+    const double slopes_26 = c_eps * (-alpha_arm_z * l_oa_sq - slopes_1 * l_oa_sq);
+    const double slopes_27 = c_eps * (-alpha_arm_z * l_ob_sq - slopes_1 * l_ob_sq);
+    const double slopes_28 = slopes_12 + slopes_19 + mc_heli_z_arm_1 * s_theta;
+    const double slopes_29 = c_eps * (-alpha_arm_z * two_m_c_l_ob - slopes_1 * two_m_c_l_ob);
+    const double slopes_30 = p->m_b * a_arm_z + omega_arm_z_omega_arm_x * two_m_b_l_oa + eps_ddot * two_m_b_l_oa;
+    const double slopes_31 = c_eps * (-alpha_arm_z * two_m_b_l_oa - slopes_1 * two_m_b_l_oa);
+    const double slopes_32 = 2.0 * omega_heli_y_omega_heli_z * mc_heli_z - slopes_6 * two_mc_heli_z;
+    const double slopes_33 = slopes_4 * two_mc_heli_z - omega_heli_z_omega_heli_x * two_mc_heli_z;
+    const double slopes_32_minus_m_h_slopes_7 = slopes_32 - m_h_slopes_7;
+    const double slopes_34 = slopes_33 - p->m_h * a_heli_1_x;
+    const double slopes_35 = p->l_oc * (m_h_heli_1 * c_theta - m_h_slopes_9 * s_theta);
+    const double slopes_36 = p->l_oc * (m_h_heli_1 * s_theta + m_h_slopes_9 * c_theta);
+    const double slopes_37 = c_eps * (slopes_36 - slopes_34 * s_theta);
+    const double slopes_38 = c_eps * (by_I_x_2 - slopes_5 * c_theta);
     /* derivatives with respect to m_h */
-    const double by_m_h_1 = slopes_22 * c_theta - slopes_12 - l_theta_eps * slopes_21;
-    const double by_m_h_2 = slopes_23 + slopes_21 * s_eps + l_eps_psi * by_m_h_1;
-    const double d_psi_ddot_by_m_h = inv_psi * (-l_theta_psi * slopes_21 - by_m_h_2);
+    const double by_m_h_1 = slopes_23 * c_theta - slopes_14 - l_theta_eps * slopes_22;
+    const double by_m_h_2 = slopes_24 + slopes_22 * s_eps + l_eps_psi * by_m_h_1;
+    const double d_psi_ddot_by_m_h = inv_psi * (-l_theta_psi * slopes_22 - by_m_h_2);
     const double d_eps_ddot_by_m_h = inv_eps * by_m_h_1 - l_eps_psi * d_psi_ddot_by_m_h;
-    const double by_m_h_3 = inv_theta * slopes_21 - l_theta_psi * d_psi_ddot_by_m_h;
+    const double d_theta_ddot_by_m_h = inv_theta * slopes_22 - l_theta_psi * d_psi_ddot_by_m_h - l_theta_eps * d_eps_ddot_by_m_h;
     /* derivatives with respect to m_b */
-    const double d_psi_ddot_by_m_b = inv_psi * (slopes_25 + l_eps_psi * slopes_24);
-    const double d_eps_ddot_by_m_b = -inv_eps * slopes_24 - l_eps_psi * d_psi_ddot_by_m_b;
+    const double d_psi_ddot_by_m_b = inv_psi * (slopes_26 + l_eps_psi * slopes_25);
+    const double d_eps_ddot_by_m_b = -inv_eps * slopes_25 - l_eps_psi * d_psi_ddot_by_m_b;
     const double d_theta_ddot_by_m_b = -l_theta_psi * d_psi_ddot_by_m_b - l_theta_eps * d_eps_ddot_by_m_b;
     /* derivatives with respect to m_c */
-    const double d_psi_ddot_by_m_c = inv_psi * (slopes_26 - l_eps_psi * by_m_c_1);
+    const double d_psi_ddot_by_m_c = inv_psi * (slopes_27 - l_eps_psi * by_m_c_1);
     const double d_eps_ddot_by_m_c = inv_eps * by_m_c_1 - l_eps_psi * d_psi_ddot_by_m_c;
     const double d_theta_ddot_by_m_c = -l_theta_psi * d_psi_ddot_by_m_c - l_theta_eps * d_eps_ddot_by_m_c;
     /* derivatives with respect to l_oc */
-    const double by_l_oc_2 = l_eps_psi * by_l_oc_1 - mc_heli_z_slopes_14 * s_eps - slopes_27;
-    const double d_psi_ddot_by_l_oc = inv_psi * (by_l_oc_2 - l_theta_psi * mc_heli_z_slopes_14);
-    const double d_eps_ddot_by_l_oc = -inv_eps * by_l_oc_1 - l_eps_psi * d_psi_ddot_by_l_oc;
-    const double by_l_oc_3 = inv_theta * mc_heli_z_slopes_14 - l_theta_psi * d_psi_ddot_by_l_oc;
+    const double by_l_oc_3 = mc_heli_z_slopes_16 * s_eps + slopes_28 * c_eps;
+    const double d_psi_ddot_by_l_oc = inv_psi * (l_eps_psi * by_l_oc_2 - by_l_oc_3 - l_theta_psi * mc_heli_z_slopes_16);
+    const double d_eps_ddot_by_l_oc = -inv_eps * by_l_oc_2 - l_eps_psi * d_psi_ddot_by_l_oc;
+    const double d_theta_ddot_by_l_oc = inv_theta * mc_heli_z_slopes_16
+        - l_theta_psi * d_psi_ddot_by_l_oc
+        - l_theta_eps * d_eps_ddot_by_l_oc;
     /* derivatives with respect to l_ob */
-    const double d_psi_ddot_by_l_ob = inv_psi * (slopes_28 - l_eps_psi * by_l_ob_1);
+    const double d_psi_ddot_by_l_ob = inv_psi * (slopes_29 - l_eps_psi * by_l_ob_1);
     const double d_eps_ddot_by_l_ob = inv_eps * by_l_ob_1 - l_eps_psi * d_psi_ddot_by_l_ob;
     const double d_theta_ddot_by_l_ob = -l_theta_psi * d_psi_ddot_by_l_ob - l_theta_eps * d_eps_ddot_by_l_ob;
     /* derivatives with respect to l_oa */
-    const double d_psi_ddot_by_l_oa = inv_psi * (slopes_30 + l_eps_psi * slopes_29);
-    const double d_eps_ddot_by_l_oa = -inv_eps * slopes_29 - l_eps_psi * d_psi_ddot_by_l_oa;
+    const double d_psi_ddot_by_l_oa = inv_psi * (slopes_31 + l_eps_psi * slopes_30);
+    const double d_eps_ddot_by_l_oa = -inv_eps * slopes_30 - l_eps_psi * d_psi_ddot_by_l_oa;
     const double d_theta_ddot_by_l_oa = -l_theta_psi * d_psi_ddot_by_l_oa - l_theta_eps * d_eps_ddot_by_l_oa;
     /* derivatives with respect to l_cd */
-    const double by_l_cd_1 = slopes_32 * c_theta - slopes_33 - l_theta_eps * slopes_31;
-    const double by_l_cd_2 = slopes_35 + slopes_31 * s_eps + l_eps_psi * by_l_cd_1;
-    const double d_psi_ddot_by_l_cd = inv_psi * (-l_theta_psi * slopes_31 - by_l_cd_2);
+    const double by_l_cd_1 = slopes_34 * c_theta - slopes_35 - l_theta_eps * slopes_32_minus_m_h_slopes_7;
+    const double by_l_cd_2 = slopes_37 + slopes_32_minus_m_h_slopes_7 * s_eps + l_eps_psi * by_l_cd_1;
+    const double d_psi_ddot_by_l_cd = inv_psi * (-l_theta_psi * slopes_32_minus_m_h_slopes_7 - by_l_cd_2);
     const double d_eps_ddot_by_l_cd = inv_eps * by_l_cd_1 - l_eps_psi * d_psi_ddot_by_l_cd;
-    const double by_l_cd_3 = inv_theta * slopes_31 - l_theta_psi * d_psi_ddot_by_l_cd;
-    /* derivatives with respect to l_df */
+    const double d_theta_ddot_by_l_cd = inv_theta * slopes_32_minus_m_h_slopes_7
+        - l_theta_psi * d_psi_ddot_by_l_cd
+        - l_theta_eps * d_eps_ddot_by_l_cd;
     const double f_d_l_theta_eps = f_d * l_theta_eps;
+    /* derivatives with respect to l_df */
     const double d_psi_ddot_by_l_df = inv_psi * (l_eps_psi * f_d_l_theta_eps - f_d * s_eps - f_d * l_theta_psi);
     const double d_eps_ddot_by_l_df = -inv_eps * f_d_l_theta_eps - l_eps_psi * d_psi_ddot_by_l_df;
-    const double by_l_df_1 = f_d * inv_theta - l_theta_psi * d_psi_ddot_by_l_df;
+    const double d_theta_ddot_by_l_df = f_d * inv_theta - l_theta_psi * d_psi_ddot_by_l_df - l_theta_eps * d_eps_ddot_by_l_df;
     /* derivatives with respect to I_z */
     const double by_I_z_1 = omega_heli_y_omega_heli_z * l_theta_eps + by_I_x_1 + slopes_5 * s_theta;
-    const double by_I_z_2 = l_eps_psi * by_I_z_1 - omega_heli_y_omega_heli_z * s_eps - slopes_36;
+    const double by_I_z_2 = l_eps_psi * by_I_z_1 - omega_heli_y_omega_heli_z * s_eps - slopes_38;
     const double d_psi_ddot_by_I_z = inv_psi * (by_I_z_2 - omega_heli_y_omega_heli_z * l_theta_psi);
     const double d_eps_ddot_by_I_z = -inv_eps * by_I_z_1 - l_eps_psi * d_psi_ddot_by_I_z;
-    const double by_I_z_3 = omega_heli_y_omega_heli_z * inv_theta - l_theta_psi * d_psi_ddot_by_I_z;
+    const double d_theta_ddot_by_I_z = omega_heli_y_omega_heli_z * inv_theta
+        - l_theta_psi * d_psi_ddot_by_I_z
+        - l_theta_eps * d_eps_ddot_by_I_z;
     /* derivatives with respect to c0_psi */
     const double d_psi_ddot_by_c0_psi = -inv_psi * v->psi;
     const double d_eps_ddot_by_c0_psi = -l_eps_psi * d_psi_ddot_by_c0_psi;
@@ -980,11 +1007,13 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     const double d_psi_ddot_by_c0_eps = inv_psi * l_eps_psi * v->eps;
     const double d_eps_ddot_by_c0_eps = -inv_eps * v->eps - l_eps_psi * d_psi_ddot_by_c0_eps;
     const double d_theta_ddot_by_c0_eps = -l_theta_psi * d_psi_ddot_by_c0_eps - l_theta_eps * d_eps_ddot_by_c0_eps;
-    /* derivatives with respect to c0_theta */
     const double l_theta_eps_theta_dot = l_theta_eps * v->theta;
+    /* derivatives with respect to c0_theta */
     const double d_psi_ddot_by_c0_theta = -inv_psi * (l_eps_psi * l_theta_eps_theta_dot - l_theta_psi * v->theta);
     const double d_eps_ddot_by_c0_theta = inv_eps * l_theta_eps_theta_dot - l_eps_psi * d_psi_ddot_by_c0_theta;
-    const double by_c0_theta_1 = inv_theta * v->theta + l_theta_psi * d_psi_ddot_by_c0_theta;
+    const double d_theta_ddot_by_c0_theta = -inv_theta * v->theta
+        - l_theta_psi * d_psi_ddot_by_c0_theta
+        - l_theta_eps * d_eps_ddot_by_c0_theta;
     if (!(I_heli_xx > 0.0)) {
         return 3;
     }
@@ -1027,20 +1056,20 @@ int googol_parameter_jacobian(const struct googol_state *x, const struct googol_
     by_p[4][11] = d_eps_ddot_by_c0_psi;
     by_p[4][12] = d_eps_ddot_by_c0_eps;
     by_p[4][13] = d_eps_ddot_by_c0_theta;
-    by_p[5][0] = by_m_h_3 - l_theta_eps * d_eps_ddot_by_m_h; /* theta'' */
+    by_p[5][0] = d_theta_ddot_by_m_h; /* theta'' */
     by_p[5][1] = d_theta_ddot_by_m_b;
     by_p[5][2] = d_theta_ddot_by_m_c;
-    by_p[5][3] = by_g_7 - l_theta_eps * d_eps_ddot_by_g;
-    by_p[5][4] = by_l_oc_3 - l_theta_eps * d_eps_ddot_by_l_oc;
+    by_p[5][3] = d_theta_ddot_by_g;
+    by_p[5][4] = d_theta_ddot_by_l_oc;
     by_p[5][5] = d_theta_ddot_by_l_ob;
     by_p[5][6] = d_theta_ddot_by_l_oa;
-    by_p[5][7] = by_l_cd_3 - l_theta_eps * d_eps_ddot_by_l_cd;
-    by_p[5][8] = by_l_df_1 - l_theta_eps * d_eps_ddot_by_l_df;
-    by_p[5][9] = by_I_x_6 - l_theta_eps * d_eps_ddot_by_I_x;
-    by_p[5][10] = by_I_z_3 - l_theta_eps * d_eps_ddot_by_I_z;
+    by_p[5][7] = d_theta_ddot_by_l_cd;
+    by_p[5][8] = d_theta_ddot_by_l_df;
+    by_p[5][9] = d_theta_ddot_by_I_x;
+    by_p[5][10] = d_theta_ddot_by_I_z;
     by_p[5][11] = d_theta_ddot_by_c0_psi;
     by_p[5][12] = d_theta_ddot_by_c0_eps;
-    by_p[5][13] = -by_c0_theta_1 - l_theta_eps * d_eps_ddot_by_c0_theta;
+    by_p[5][13] = d_theta_ddot_by_c0_theta;
     return 0;
 }
 

@@ -79,60 +79,70 @@ struct googol_state {
 /* The values that the rig's file gives. */
 void googol_nominal(struct googol_parameters *p);
 
-/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta).
- */
+/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta). */
 void googol_mass_matrix(const struct googol_coordinates *q, const struct googol_parameters *p, double m[3][3]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (psi, eps, theta).
- */
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (psi, eps, theta). */
 void googol_bias(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p, double h[3]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta).
- */
-void googol_velocity_products(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p, double c[3]);
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, eps, theta). */
+void googol_velocity_products(
+    const struct googol_coordinates *q,
+    const struct googol_rates *v,
+    const struct googol_parameters *p,
+    double c[3]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (psi, eps, theta).
- */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (psi, eps, theta). */
 void googol_gravity(const struct googol_coordinates *q, const struct googol_parameters *p, double g[3]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta).
- */
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, eps, theta). */
 void googol_dissipation(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p, double d[3]);
 
-/* Generalized force Q [N m] of the inputs; rows (psi, eps, theta).
- */
-void googol_generalized_force(const struct googol_coordinates *q, const struct googol_inputs *u, const struct googol_parameters *p, double f[3]);
+/* Generalized force Q [N m] of the inputs; rows (psi, eps, theta). */
+void googol_generalized_force(
+    const struct googol_coordinates *q,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double f[3]);
 
-/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2).
- */
+/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2). */
 void googol_input_map(const struct googol_coordinates *q, const struct googol_parameters *p, double s[3][2]);
 
-/* Kinetic energy T(q, v) [J].
- */
+/* Kinetic energy T(q, v) [J]. */
 double googol_kinetic_energy(const struct googol_coordinates *q, const struct googol_rates *v, const struct googol_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double googol_potential_energy(const struct googol_coordinates *q, const struct googol_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void googol_inverse_dynamics(const struct googol_state *x, const struct googol_accelerations *a, const struct googol_inputs *u, const struct googol_parameters *p, double r[3]);
+void googol_inverse_dynamics(
+    const struct googol_state *x,
+    const struct googol_accelerations *a,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double r[3]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
 void googol_outputs(const struct googol_state *x, const struct googol_parameters *p, struct googol_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 175 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_forward_dynamics(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, struct googol_accelerations *a);
+int googol_forward_dynamics(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    struct googol_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 637 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -147,17 +157,27 @@ int googol_forward_dynamics(const struct googol_state *x, const struct googol_in
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_linearize(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, double dx[6], double a[6][6], double b[6][2]);
+int googol_linearize(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2]);
 
-/* Parameter Jacobian dx'/dp, 6 x 14; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 6 x 14; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_parameter_jacobian(const struct googol_state *x, const struct googol_inputs *u, const struct googol_parameters *p, double by_p[6][14]);
+int googol_parameter_jacobian(
+    const struct googol_state *x,
+    const struct googol_inputs *u,
+    const struct googol_parameters *p,
+    double by_p[6][14]);
 
-/* Jacobians of the measured outputs.
- */
+/* Jacobians of the measured outputs. */
 void googol_output_jacobian(const struct googol_state *x, const struct googol_parameters *p, double by_x[3][6], double by_p[3][14]);
 
 #ifdef __cplusplus

@@ -45,7 +45,11 @@ void googol_eq13_mass_matrix(const struct googol_eq13_coordinates *q, const stru
     m[2][2] = p->I_theta; /* theta */
 }
 
-void googol_eq13_bias(const struct googol_eq13_coordinates *q, const struct googol_eq13_rates *v, const struct googol_eq13_parameters *p, double h[3])
+void googol_eq13_bias(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_rates *v,
+    const struct googol_eq13_parameters *p,
+    double h[3])
 {
     (void)v;
     const double s_eps = sin(q->eps);
@@ -53,11 +57,11 @@ void googol_eq13_bias(const struct googol_eq13_coordinates *q, const struct goog
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
-    /* equation of eps */
     const double l_cd_m_h_g = p->m_h * p->g * p->l_cd;
-    const double h_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
+    /* equation of eps */
+    const double g_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
     h[0] = 0.0; /* psi */
-    h[1] = h_eps; /* eps */
+    h[1] = g_eps; /* eps */
     h[2] = l_cd_m_h_g * s_theta * c_eps; /* theta */
 }
 
@@ -68,15 +72,19 @@ void googol_eq13_gravity(const struct googol_eq13_coordinates *q, const struct g
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
-    /* equation of eps */
     const double l_cd_m_h_g = p->m_h * p->g * p->l_cd;
-    const double h_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
+    /* equation of eps */
+    const double g_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
     g[0] = 0.0; /* psi */
-    g[1] = h_eps; /* eps */
+    g[1] = g_eps; /* eps */
     g[2] = l_cd_m_h_g * s_theta * c_eps; /* theta */
 }
 
-void googol_eq13_dissipation(const struct googol_eq13_coordinates *q, const struct googol_eq13_rates *v, const struct googol_eq13_parameters *p, double d[3])
+void googol_eq13_dissipation(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_rates *v,
+    const struct googol_eq13_parameters *p,
+    double d[3])
 {
     (void)q;
     d[0] = p->c0_psi * v->psi; /* psi */
@@ -84,7 +92,11 @@ void googol_eq13_dissipation(const struct googol_eq13_coordinates *q, const stru
     d[2] = p->c0_theta * v->theta; /* theta */
 }
 
-void googol_eq13_generalized_force(const struct googol_eq13_coordinates *q, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, double f[3])
+void googol_eq13_generalized_force(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double f[3])
 {
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
@@ -92,8 +104,8 @@ void googol_eq13_generalized_force(const struct googol_eq13_coordinates *q, cons
     const double c_theta = cos(q->theta);
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
-    /* equation of psi */
     const double l_df_f_d_s_theta_s_eps = p->l_df * f_d * s_theta * s_eps;
+    /* equation of psi */
     const double Q_psi = p->l_oc * f_s * c_eps * s_theta - l_df_f_d_s_theta_s_eps;
     f[0] = Q_psi; /* psi */
     f[1] = p->l_oc * f_s * c_theta; /* eps */
@@ -106,10 +118,8 @@ void googol_eq13_input_map(const struct googol_eq13_coordinates *q, const struct
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    /* equation of psi */
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_theta_s_eps = p->l_df * s_theta * s_eps;
-    /* equation of eps */
     const double l_oc_c_theta = p->l_oc * c_theta;
     s[0][0] = l_oc_c_eps_s_theta - l_df_s_theta_s_eps; /* psi */
     s[0][1] = l_oc_c_eps_s_theta + l_df_s_theta_s_eps;
@@ -119,7 +129,12 @@ void googol_eq13_input_map(const struct googol_eq13_coordinates *q, const struct
     s[2][1] = -p->l_df;
 }
 
-void googol_eq13_inverse_dynamics(const struct googol_eq13_state *x, const struct googol_eq13_accelerations *a, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, double r[3])
+void googol_eq13_inverse_dynamics(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_accelerations *a,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double r[3])
 {
     const struct googol_eq13_coordinates *q = &x->q;
     const struct googol_eq13_rates *v = &x->v;
@@ -130,17 +145,17 @@ void googol_eq13_inverse_dynamics(const struct googol_eq13_state *x, const struc
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
-    /* equation of psi */
     const double l_df_f_d_s_theta_s_eps = p->l_df * f_d * s_theta * s_eps;
+    /* equation of psi */
     const double Q_psi = p->l_oc * f_s * c_eps * s_theta - l_df_f_d_s_theta_s_eps;
-    /* equation of eps */
     const double l_cd_m_h_g = p->m_h * p->g * p->l_cd;
-    const double h_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
+    /* equation of eps */
+    const double g_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
     /* balance of forces */
-    const double balance_1 = l_cd_m_h_g * s_theta * c_eps + p->I_theta * a->theta;
+    const double balance_1 = l_cd_m_h_g * s_theta * c_eps + p->I_theta * a->theta - p->l_df * f_d;
     r[0] = p->c0_psi * v->psi + p->I_psi * a->psi - Q_psi; /* psi */
-    r[1] = p->c0_eps * v->eps + h_eps + p->I_eps * a->eps - p->l_oc * f_s * c_theta; /* eps */
-    r[2] = p->c0_theta * v->theta + balance_1 - p->l_df * f_d; /* theta */
+    r[1] = p->c0_eps * v->eps + g_eps + p->I_eps * a->eps - p->l_oc * f_s * c_theta; /* eps */
+    r[2] = p->c0_theta * v->theta + balance_1; /* theta */
 }
 
 void googol_eq13_outputs(const struct googol_eq13_state *x, const struct googol_eq13_parameters *p, struct googol_eq13_outputs *y)
@@ -152,7 +167,11 @@ void googol_eq13_outputs(const struct googol_eq13_state *x, const struct googol_
     y->theta = q->theta;
 }
 
-int googol_eq13_forward_dynamics(const struct googol_eq13_state *x, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, struct googol_eq13_accelerations *a)
+int googol_eq13_forward_dynamics(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    struct googol_eq13_accelerations *a)
 {
     const struct googol_eq13_coordinates *q = &x->q;
     const struct googol_eq13_rates *v = &x->v;
@@ -163,17 +182,14 @@ int googol_eq13_forward_dynamics(const struct googol_eq13_state *x, const struct
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
-    /* equation of psi */
     const double l_oc_f_s_c_eps_s_theta = p->l_oc * f_s * c_eps * s_theta;
-    /* equation of eps */
     const double l_cd_m_h_g = p->m_h * p->g * p->l_cd;
-    const double h_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
+    /* equation of eps */
+    const double g_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
     /* balance of forces */
-    const double balance_1 = l_cd_m_h_g * s_theta * c_eps - p->l_df * f_d;
     const double tau_psi = l_oc_f_s_c_eps_s_theta - p->c0_psi * v->psi - p->l_df * f_d * s_theta * s_eps;
-    const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - h_eps;
-    /* M = L^T D L and back-substitution */
-    const double theta_ddot = -(p->c0_theta * v->theta + balance_1) / p->I_theta;
+    const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - g_eps;
+    const double tau_theta = p->l_df * f_d - p->c0_theta * v->theta - l_cd_m_h_g * s_theta * c_eps;
     if (!(p->I_theta > 0.0)) {
         return 3;
     }
@@ -185,11 +201,17 @@ int googol_eq13_forward_dynamics(const struct googol_eq13_state *x, const struct
     }
     a->psi = tau_psi / p->I_psi;
     a->eps = tau_eps / p->I_eps;
-    a->theta = theta_ddot;
+    a->theta = tau_theta / p->I_theta;
     return 0;
 }
 
-int googol_eq13_linearize(const struct googol_eq13_state *x, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, double dx[6], double a[6][6], double b[6][2])
+int googol_eq13_linearize(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2])
 {
     const struct googol_eq13_coordinates *q = &x->q;
     const struct googol_eq13_rates *v = &x->v;
@@ -200,34 +222,34 @@ int googol_eq13_linearize(const struct googol_eq13_state *x, const struct googol
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
-    /* equation of psi */
     const double l_oc_c_eps = p->l_oc * c_eps;
     const double l_oc_c_eps_s_theta = l_oc_c_eps * s_theta;
     const double l_df_s_theta = p->l_df * s_theta;
     const double l_df_s_theta_s_eps = l_df_s_theta * s_eps;
-    /* equation of eps */
     const double l_cd_m_h_g = p->m_h * p->g * p->l_cd;
     const double l_cd_m_h_g_c_theta = l_cd_m_h_g * c_theta;
     const double g_m_prime = p->g * m_prime;
-    const double h_eps = l_cd_m_h_g_c_theta * s_eps + g_m_prime * c_eps;
+    /* equation of eps */
+    const double g_eps = l_cd_m_h_g_c_theta * s_eps + g_m_prime * c_eps;
     const double l_oc_c_theta = p->l_oc * c_theta;
-    /* equation of theta */
     const double l_cd_m_h_g_c_eps = l_cd_m_h_g * c_eps;
     /* balance of forces */
     const double tau_psi = f_s * l_oc_c_eps_s_theta - p->c0_psi * v->psi - f_d * l_df_s_theta_s_eps;
-    const double tau_eps = f_s * l_oc_c_theta - p->c0_eps * v->eps - h_eps;
+    const double tau_eps = f_s * l_oc_c_theta - p->c0_eps * v->eps - g_eps;
     const double tau_theta = p->l_df * f_d - p->c0_theta * v->theta - l_cd_m_h_g_c_eps * s_theta;
     /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / p->I_theta;
     const double inv_eps = 1.0 / p->I_eps;
     const double inv_psi = 1.0 / p->I_psi;
+    const double l_oc_f_s_s_theta_s_eps = p->l_oc * f_s * s_theta * s_eps;
     /* derivatives with respect to eps */
-    const double by_eps_1 = p->l_oc * f_s * s_theta * s_eps + f_d * l_df_s_theta * c_eps;
+    const double d_psi_ddot_by_eps = -inv_psi * (l_oc_f_s_s_theta_s_eps + f_d * l_df_s_theta * c_eps);
     const double d_eps_ddot_by_eps = inv_eps * (g_m_prime * s_eps - l_cd_m_h_g_c_theta * c_eps);
     const double d_theta_ddot_by_eps = inv_theta * l_cd_m_h_g * s_theta * s_eps;
+    const double l_df_f_d_s_eps_c_theta = p->l_df * f_d * s_eps * c_theta;
     /* derivatives with respect to theta */
-    const double by_theta_1 = f_s * l_oc_c_eps * c_theta - p->l_df * f_d * s_eps * c_theta;
-    const double by_theta_2 = l_cd_m_h_g * s_eps * s_theta - p->l_oc * f_s * s_theta;
+    const double by_theta_1 = l_cd_m_h_g * s_eps * s_theta - p->l_oc * f_s * s_theta;
+    const double d_psi_ddot_by_theta = inv_psi * (f_s * l_oc_c_eps * c_theta - l_df_f_d_s_eps_c_theta);
     /* derivatives with respect to f_1 */
     const double d_eps_ddot_by_f_1 = l_oc_c_theta * inv_eps;
     const double d_theta_ddot_by_f_1 = p->l_df * inv_theta;
@@ -254,11 +276,11 @@ int googol_eq13_linearize(const struct googol_eq13_state *x, const struct googol
     a[0][3] = 1.0; /* psi' */
     a[1][4] = 1.0; /* eps' */
     a[2][5] = 1.0; /* theta' */
-    a[3][1] = -inv_psi * by_eps_1; /* psi'' */
-    a[3][2] = inv_psi * by_theta_1;
+    a[3][1] = d_psi_ddot_by_eps; /* psi'' */
+    a[3][2] = d_psi_ddot_by_theta;
     a[3][3] = -p->c0_psi * inv_psi;
     a[4][1] = d_eps_ddot_by_eps; /* eps'' */
-    a[4][2] = inv_eps * by_theta_2;
+    a[4][2] = inv_eps * by_theta_1;
     a[4][4] = -p->c0_eps * inv_eps;
     a[5][1] = d_theta_ddot_by_eps; /* theta'' */
     a[5][2] = -inv_theta * l_cd_m_h_g_c_eps * c_theta;
@@ -277,7 +299,11 @@ int googol_eq13_linearize(const struct googol_eq13_state *x, const struct googol
     return 0;
 }
 
-int googol_eq13_parameter_jacobian(const struct googol_eq13_state *x, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, double by_p[6][15])
+int googol_eq13_parameter_jacobian(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double by_p[6][15])
 {
     const struct googol_eq13_coordinates *q = &x->q;
     const struct googol_eq13_rates *v = &x->v;
@@ -288,31 +314,29 @@ int googol_eq13_parameter_jacobian(const struct googol_eq13_state *x, const stru
     const double m_prime = p->m_h * p->l_oc + p->m_b * p->l_oa - p->m_c * p->l_ob;
     const double f_s = u->f_1 + u->f_2;
     const double f_d = u->f_1 - u->f_2;
-    /* equation of psi */
     const double l_oc_f_s_c_eps_s_theta = p->l_oc * f_s * c_eps * s_theta;
-    /* equation of eps */
     const double m_h_g = p->m_h * p->g;
     const double l_cd_m_h_g = p->l_cd * m_h_g;
-    const double h_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
+    /* equation of eps */
+    const double g_eps = l_cd_m_h_g * s_eps * c_theta + p->g * m_prime * c_eps;
     /* balance of forces */
-    const double balance_1 = l_cd_m_h_g * s_theta * c_eps - p->l_df * f_d;
     const double tau_psi = l_oc_f_s_c_eps_s_theta - p->c0_psi * v->psi - p->l_df * f_d * s_theta * s_eps;
-    const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - h_eps;
+    const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - g_eps;
+    const double tau_theta = p->l_df * f_d - p->c0_theta * v->theta - l_cd_m_h_g * s_theta * c_eps;
     /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / p->I_theta;
     const double inv_eps = 1.0 / p->I_eps;
     const double inv_psi = 1.0 / p->I_psi;
-    const double theta_ddot = -inv_theta * (p->c0_theta * v->theta + balance_1);
-    /* derivatives with respect to m_h */
     const double g_l_cd = p->g * p->l_cd;
+    /* derivatives with respect to m_h */
     const double by_m_h_1 = g_l_cd * s_eps * c_theta + p->g * p->l_oc * c_eps;
     const double d_theta_ddot_by_m_h = -inv_theta * g_l_cd * s_theta * c_eps;
-    /* derivatives with respect to g */
     const double m_h_l_cd = p->m_h * p->l_cd;
-    const double d_eps_ddot_by_g = -inv_eps * (m_h_l_cd * s_eps * c_theta + m_prime * c_eps);
+    /* derivatives with respect to g */
+    const double by_g_1 = m_h_l_cd * s_eps * c_theta + m_prime * c_eps;
     const double d_theta_ddot_by_g = -inv_theta * m_h_l_cd * s_theta * c_eps;
-    /* derivatives with respect to l_oc */
     const double m_h_g_c_eps = m_h_g * c_eps;
+    /* derivatives with respect to l_oc */
     const double d_psi_ddot_by_l_oc = inv_psi * f_s * c_eps * s_theta;
     const double d_eps_ddot_by_l_oc = inv_eps * (f_s * c_theta - m_h_g_c_eps);
     /* derivatives with respect to m_b */
@@ -348,7 +372,7 @@ int googol_eq13_parameter_jacobian(const struct googol_eq13_state *x, const stru
     by_p[4][0] = -inv_eps * by_m_h_1; /* eps'' */
     by_p[4][1] = d_eps_ddot_by_m_b;
     by_p[4][2] = d_eps_ddot_by_m_c;
-    by_p[4][3] = d_eps_ddot_by_g;
+    by_p[4][3] = -inv_eps * by_g_1;
     by_p[4][4] = d_eps_ddot_by_l_oc;
     by_p[4][5] = d_eps_ddot_by_l_ob;
     by_p[4][6] = d_eps_ddot_by_l_oa;
@@ -360,11 +384,15 @@ int googol_eq13_parameter_jacobian(const struct googol_eq13_state *x, const stru
     by_p[5][7] = -inv_theta * m_h_g_c_eps * s_theta;
     by_p[5][8] = f_d * inv_theta;
     by_p[5][11] = -inv_theta * v->theta;
-    by_p[5][14] = -inv_theta * theta_ddot;
+    by_p[5][14] = -inv_theta * tau_theta * inv_theta;
     return 0;
 }
 
-void googol_eq13_output_jacobian(const struct googol_eq13_state *x, const struct googol_eq13_parameters *p, double by_x[3][6], double by_p[3][15])
+void googol_eq13_output_jacobian(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_parameters *p,
+    double by_x[3][6],
+    double by_p[3][15])
 {
     (void)x;
     (void)p;

@@ -78,48 +78,65 @@ struct googol_eq13_state {
 /* The values that the rig's file gives. */
 void googol_eq13_nominal(struct googol_eq13_parameters *p);
 
-/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta).
- */
+/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta). */
 void googol_eq13_mass_matrix(const struct googol_eq13_coordinates *q, const struct googol_eq13_parameters *p, double m[3][3]);
 
-/* Bias h(q, v) [unit of the row]: terms without rates and inputs, on the left-hand side; rows (psi, eps, theta).
- */
-void googol_eq13_bias(const struct googol_eq13_coordinates *q, const struct googol_eq13_rates *v, const struct googol_eq13_parameters *p, double h[3]);
+/* Bias h(q, v) [unit of the row]: terms without rates and inputs, on the left-hand side; rows (psi, eps, theta). */
+void googol_eq13_bias(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_rates *v,
+    const struct googol_eq13_parameters *p,
+    double h[3]);
 
-/* Bias of the equations as written [unit of the row]; rows (psi, eps, theta).
- */
+/* Bias of the equations as written [unit of the row]; rows (psi, eps, theta). */
 void googol_eq13_gravity(const struct googol_eq13_coordinates *q, const struct googol_eq13_parameters *p, double g[3]);
 
-/* Friction and dampers d(q, v) [unit of the row], on the left-hand side; rows (psi, eps, theta).
- */
-void googol_eq13_dissipation(const struct googol_eq13_coordinates *q, const struct googol_eq13_rates *v, const struct googol_eq13_parameters *p, double d[3]);
+/* Friction and dampers d(q, v) [unit of the row], on the left-hand side; rows (psi, eps, theta). */
+void googol_eq13_dissipation(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_rates *v,
+    const struct googol_eq13_parameters *p,
+    double d[3]);
 
-/* Generalized force Q [unit of the row] of the inputs; rows (psi, eps, theta).
- */
-void googol_eq13_generalized_force(const struct googol_eq13_coordinates *q, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, double f[3]);
+/* Generalized force Q [unit of the row] of the inputs; rows (psi, eps, theta). */
+void googol_eq13_generalized_force(
+    const struct googol_eq13_coordinates *q,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double f[3]);
 
-/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2).
- */
+/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2). */
 void googol_eq13_input_map(const struct googol_eq13_coordinates *q, const struct googol_eq13_parameters *p, double s[3][2]);
 
-/* Inverse dynamics M a + h + d - Q [unit of the row]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [unit of the row]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void googol_eq13_inverse_dynamics(const struct googol_eq13_state *x, const struct googol_eq13_accelerations *a, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, double r[3]);
+void googol_eq13_inverse_dynamics(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_accelerations *a,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double r[3]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
 void googol_eq13_outputs(const struct googol_eq13_state *x, const struct googol_eq13_parameters *p, struct googol_eq13_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 47 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_eq13_forward_dynamics(const struct googol_eq13_state *x, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, struct googol_eq13_accelerations *a);
+int googol_eq13_forward_dynamics(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    struct googol_eq13_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 91 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -134,18 +151,32 @@ int googol_eq13_forward_dynamics(const struct googol_eq13_state *x, const struct
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_eq13_linearize(const struct googol_eq13_state *x, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, double dx[6], double a[6][6], double b[6][2]);
+int googol_eq13_linearize(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2]);
 
-/* Parameter Jacobian dx'/dp, 6 x 15; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 6 x 15; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_eq13_parameter_jacobian(const struct googol_eq13_state *x, const struct googol_eq13_inputs *u, const struct googol_eq13_parameters *p, double by_p[6][15]);
+int googol_eq13_parameter_jacobian(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_inputs *u,
+    const struct googol_eq13_parameters *p,
+    double by_p[6][15]);
 
-/* Jacobians of the measured outputs.
- */
-void googol_eq13_output_jacobian(const struct googol_eq13_state *x, const struct googol_eq13_parameters *p, double by_x[3][6], double by_p[3][15]);
+/* Jacobians of the measured outputs. */
+void googol_eq13_output_jacobian(
+    const struct googol_eq13_state *x,
+    const struct googol_eq13_parameters *p,
+    double by_x[3][6],
+    double by_p[3][15]);
 
 #ifdef __cplusplus
 }

@@ -87,48 +87,74 @@ struct googol_identified_state {
 /* The values that the rig's file gives. */
 void googol_identified_nominal(struct googol_identified_parameters *p);
 
-/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta).
- */
-void googol_identified_mass_matrix(const struct googol_identified_coordinates *q, const struct googol_identified_parameters *p, double m[3][3]);
+/* Mass matrix M(q), 3 x 3, symmetric; rows (psi, eps, theta). */
+void googol_identified_mass_matrix(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_parameters *p,
+    double m[3][3]);
 
-/* Bias h(q, v) [unit of the row]: terms without rates and inputs, on the left-hand side; rows (psi, eps, theta).
- */
-void googol_identified_bias(const struct googol_identified_coordinates *q, const struct googol_identified_rates *v, const struct googol_identified_parameters *p, double h[3]);
+/* Bias h(q, v) [unit of the row]: terms without rates and inputs, on the left-hand side; rows (psi, eps, theta). */
+void googol_identified_bias(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_rates *v,
+    const struct googol_identified_parameters *p,
+    double h[3]);
 
-/* Bias of the equations as written [unit of the row]; rows (psi, eps, theta).
- */
+/* Bias of the equations as written [unit of the row]; rows (psi, eps, theta). */
 void googol_identified_gravity(const struct googol_identified_coordinates *q, const struct googol_identified_parameters *p, double g[3]);
 
-/* Friction and dampers d(q, v) [unit of the row], on the left-hand side; rows (psi, eps, theta).
- */
-void googol_identified_dissipation(const struct googol_identified_coordinates *q, const struct googol_identified_rates *v, const struct googol_identified_parameters *p, double d[3]);
+/* Friction and dampers d(q, v) [unit of the row], on the left-hand side; rows (psi, eps, theta). */
+void googol_identified_dissipation(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_rates *v,
+    const struct googol_identified_parameters *p,
+    double d[3]);
 
-/* Generalized force Q [unit of the row] of the inputs; rows (psi, eps, theta).
- */
-void googol_identified_generalized_force(const struct googol_identified_coordinates *q, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, double f[3]);
+/* Generalized force Q [unit of the row] of the inputs; rows (psi, eps, theta). */
+void googol_identified_generalized_force(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    double f[3]);
 
-/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2).
- */
-void googol_identified_input_map(const struct googol_identified_coordinates *q, const struct googol_identified_parameters *p, double s[3][2]);
+/* Input map dQ/du, 3 x 2; rows (psi, eps, theta), columns (f_1, f_2). */
+void googol_identified_input_map(
+    const struct googol_identified_coordinates *q,
+    const struct googol_identified_parameters *p,
+    double s[3][2]);
 
-/* Inverse dynamics M a + h + d - Q [unit of the row]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [unit of the row]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void googol_identified_inverse_dynamics(const struct googol_identified_state *x, const struct googol_identified_accelerations *a, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, double r[3]);
+void googol_identified_inverse_dynamics(
+    const struct googol_identified_state *x,
+    const struct googol_identified_accelerations *a,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    double r[3]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
-void googol_identified_outputs(const struct googol_identified_state *x, const struct googol_identified_parameters *p, struct googol_identified_outputs *y);
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
+void googol_identified_outputs(
+    const struct googol_identified_state *x,
+    const struct googol_identified_parameters *p,
+    struct googol_identified_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 33 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_identified_forward_dynamics(const struct googol_identified_state *x, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, struct googol_identified_accelerations *a);
+int googol_identified_forward_dynamics(
+    const struct googol_identified_state *x,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    struct googol_identified_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 64 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -143,18 +169,32 @@ int googol_identified_forward_dynamics(const struct googol_identified_state *x, 
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_identified_linearize(const struct googol_identified_state *x, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, double dx[6], double a[6][6], double b[6][2]);
+int googol_identified_linearize(
+    const struct googol_identified_state *x,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2]);
 
-/* Parameter Jacobian dx'/dp, 6 x 22; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 6 x 22; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int googol_identified_parameter_jacobian(const struct googol_identified_state *x, const struct googol_identified_inputs *u, const struct googol_identified_parameters *p, double by_p[6][22]);
+int googol_identified_parameter_jacobian(
+    const struct googol_identified_state *x,
+    const struct googol_identified_inputs *u,
+    const struct googol_identified_parameters *p,
+    double by_p[6][22]);
 
-/* Jacobians of the measured outputs.
- */
-void googol_identified_output_jacobian(const struct googol_identified_state *x, const struct googol_identified_parameters *p, double by_x[3][6], double by_p[3][22]);
+/* Jacobians of the measured outputs. */
+void googol_identified_output_jacobian(
+    const struct googol_identified_state *x,
+    const struct googol_identified_parameters *p,
+    double by_x[3][6],
+    double by_p[3][22]);
 
 #ifdef __cplusplus
 }

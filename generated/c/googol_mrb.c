@@ -49,7 +49,11 @@ void googol_mrb_mass_matrix(const struct googol_mrb_coordinates *q, const struct
     m[2][2] = p->I_theta; /* theta */
 }
 
-void googol_mrb_bias(const struct googol_mrb_coordinates *q, const struct googol_mrb_rates *v, const struct googol_mrb_parameters *p, double h[3])
+void googol_mrb_bias(
+    const struct googol_mrb_coordinates *q,
+    const struct googol_mrb_rates *v,
+    const struct googol_mrb_parameters *p,
+    double h[3])
 {
     (void)v;
     const double s_eps = sin(q->eps);
@@ -59,13 +63,17 @@ void googol_mrb_bias(const struct googol_mrb_coordinates *q, const struct googol
     /* gravity */
     const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
     const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double h_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
+    const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
     h[0] = 0.0; /* psi */
     h[1] = gravity_1 + gravity_2; /* eps */
-    h[2] = h_theta; /* theta */
+    h[2] = g_theta; /* theta */
 }
 
-void googol_mrb_velocity_products(const struct googol_mrb_coordinates *q, const struct googol_mrb_rates *v, const struct googol_mrb_parameters *p, double c[3])
+void googol_mrb_velocity_products(
+    const struct googol_mrb_coordinates *q,
+    const struct googol_mrb_rates *v,
+    const struct googol_mrb_parameters *p,
+    double c[3])
 {
     (void)q;
     (void)v;
@@ -81,16 +89,19 @@ void googol_mrb_gravity(const struct googol_mrb_coordinates *q, const struct goo
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    /* gravity */
     const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
     const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double h_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
+    const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
     g[0] = 0.0; /* psi */
     g[1] = gravity_1 + gravity_2; /* eps */
-    g[2] = h_theta; /* theta */
+    g[2] = g_theta; /* theta */
 }
 
-void googol_mrb_dissipation(const struct googol_mrb_coordinates *q, const struct googol_mrb_rates *v, const struct googol_mrb_parameters *p, double d[3])
+void googol_mrb_dissipation(
+    const struct googol_mrb_coordinates *q,
+    const struct googol_mrb_rates *v,
+    const struct googol_mrb_parameters *p,
+    double d[3])
 {
     (void)q;
     d[0] = p->c0_psi * v->psi; /* psi */
@@ -98,21 +109,23 @@ void googol_mrb_dissipation(const struct googol_mrb_coordinates *q, const struct
     d[2] = p->c0_theta * v->theta; /* theta */
 }
 
-void googol_mrb_generalized_force(const struct googol_mrb_coordinates *q, const struct googol_mrb_inputs *u, const struct googol_mrb_parameters *p, double f[3])
+void googol_mrb_generalized_force(
+    const struct googol_mrb_coordinates *q,
+    const struct googol_mrb_inputs *u,
+    const struct googol_mrb_parameters *p,
+    double f[3])
 {
     const double s_eps = sin(q->eps);
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double f_s = u->f_1 + u->f_2;
-    /* force rotor_1 on heli */
     const double l_df_f_1 = p->l_df * u->f_1;
-    /* force rotor_2 on heli */
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
     const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
-    const double n_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
-    f[0] = n_column_z; /* psi */
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
+    f[0] = n_applied_column_z; /* psi */
     f[1] = p->l_oc * f_s * c_theta; /* eps */
     f[2] = l_df_f_1 - l_df_f_2; /* theta */
 }
@@ -123,9 +136,7 @@ void googol_mrb_input_map(const struct googol_mrb_coordinates *q, const struct g
     const double c_eps = cos(q->eps);
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
-    /* gravity */
     const double l_oc_c_theta = p->l_oc * c_theta;
-    /* input map */
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_eps = p->l_df * s_eps;
     s[0][0] = l_oc_c_eps_s_theta - l_df_s_eps; /* psi */
@@ -148,7 +159,12 @@ double googol_mrb_potential_energy(const struct googol_mrb_coordinates *q, const
     return counterweight_1 + fuselage_1;
 }
 
-void googol_mrb_inverse_dynamics(const struct googol_mrb_state *x, const struct googol_mrb_accelerations *a, const struct googol_mrb_inputs *u, const struct googol_mrb_parameters *p, double r[3])
+void googol_mrb_inverse_dynamics(
+    const struct googol_mrb_state *x,
+    const struct googol_mrb_accelerations *a,
+    const struct googol_mrb_inputs *u,
+    const struct googol_mrb_parameters *p,
+    double r[3])
 {
     const struct googol_mrb_coordinates *q = &x->q;
     const struct googol_mrb_rates *v = &x->v;
@@ -157,23 +173,20 @@ void googol_mrb_inverse_dynamics(const struct googol_mrb_state *x, const struct 
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double f_s = u->f_1 + u->f_2;
-    /* force rotor_1 on heli */
     const double l_df_f_1 = p->l_df * u->f_1;
-    /* force rotor_2 on heli */
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
     const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
-    const double n_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
     /* gravity */
     const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
     const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double h_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
+    const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
     /* balance of forces */
     const double balance_1 = gravity_1 + gravity_2 + p->I_eps * a->eps - p->l_oc * f_s * c_theta;
-    const double balance_2 = h_theta + p->I_theta * a->theta - l_df_f_1 + l_df_f_2;
-    r[0] = p->c0_psi * v->psi + p->I_psi * a->psi - n_column_z; /* psi */
+    r[0] = p->c0_psi * v->psi + p->I_psi * a->psi - n_applied_column_z; /* psi */
     r[1] = p->c0_eps * v->eps + balance_1; /* eps */
-    r[2] = p->c0_theta * v->theta + balance_2; /* theta */
+    r[2] = p->c0_theta * v->theta + g_theta + p->I_theta * a->theta - l_df_f_1 + l_df_f_2; /* theta */
 }
 
 void googol_mrb_outputs(const struct googol_mrb_state *x, const struct googol_mrb_parameters *p, struct googol_mrb_outputs *y)
@@ -185,7 +198,11 @@ void googol_mrb_outputs(const struct googol_mrb_state *x, const struct googol_mr
     y->theta = q->theta;
 }
 
-int googol_mrb_forward_dynamics(const struct googol_mrb_state *x, const struct googol_mrb_inputs *u, const struct googol_mrb_parameters *p, struct googol_mrb_accelerations *a)
+int googol_mrb_forward_dynamics(
+    const struct googol_mrb_state *x,
+    const struct googol_mrb_inputs *u,
+    const struct googol_mrb_parameters *p,
+    struct googol_mrb_accelerations *a)
 {
     const struct googol_mrb_coordinates *q = &x->q;
     const struct googol_mrb_rates *v = &x->v;
@@ -194,22 +211,20 @@ int googol_mrb_forward_dynamics(const struct googol_mrb_state *x, const struct g
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double f_s = u->f_1 + u->f_2;
-    /* force rotor_1 on heli */
     const double l_df_f_1 = p->l_df * u->f_1;
-    /* force rotor_2 on heli */
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame arm on column */
     const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
-    const double n_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
+    const double n_applied_column_z = p->l_oc * f_s * c_eps * s_theta + arm_1;
     /* gravity */
     const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
     const double gravity_2 = p->m_h * p->g * (p->l_cd * s_eps * c_theta + p->l_oc * c_eps);
-    const double h_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
+    const double g_theta = p->m_h * p->g * p->l_cd * c_eps * s_theta;
     /* balance of forces */
     const double tau_eps = p->l_oc * f_s * c_theta - p->c0_eps * v->eps - gravity_1 - gravity_2;
-    const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - h_theta - l_df_f_2;
+    const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - g_theta - l_df_f_2;
     /* M = L^T D L and back-substitution */
-    const double psi_ddot = (n_column_z - p->c0_psi * v->psi) / p->I_psi;
+    const double psi_ddot = (n_applied_column_z - p->c0_psi * v->psi) / p->I_psi;
     if (!(p->I_theta > 0.0)) {
         return 3;
     }
@@ -225,7 +240,13 @@ int googol_mrb_forward_dynamics(const struct googol_mrb_state *x, const struct g
     return 0;
 }
 
-int googol_mrb_linearize(const struct googol_mrb_state *x, const struct googol_mrb_inputs *u, const struct googol_mrb_parameters *p, double dx[6], double a[6][6], double b[6][2])
+int googol_mrb_linearize(
+    const struct googol_mrb_state *x,
+    const struct googol_mrb_inputs *u,
+    const struct googol_mrb_parameters *p,
+    double dx[6],
+    double a[6][6],
+    double b[6][2])
 {
     const struct googol_mrb_coordinates *q = &x->q;
     const struct googol_mrb_rates *v = &x->v;
@@ -234,34 +255,31 @@ int googol_mrb_linearize(const struct googol_mrb_state *x, const struct googol_m
     const double s_theta = sin(q->theta);
     const double c_theta = cos(q->theta);
     const double f_s = u->f_1 + u->f_2;
-    /* force rotor_1 on heli */
     const double l_df_f_1 = p->l_df * u->f_1;
-    /* force rotor_2 on heli */
     const double l_df_f_2 = p->l_df * u->f_2;
-    const double n_heli_x = l_df_f_2 - l_df_f_1;
+    /* force rotor_2 on heli */
+    const double n_applied_heli_x = l_df_f_2 - l_df_f_1;
     /* frame heli on arm */
-    const double n_arm_y = -p->l_oc * f_s * c_theta;
-    const double n_arm_z = p->l_oc * f_s * s_theta;
+    const double n_applied_arm_y = -p->l_oc * f_s * c_theta;
+    const double n_applied_arm_z = p->l_oc * f_s * s_theta;
     /* frame arm on column */
-    const double n_column_z = n_arm_z * c_eps + n_heli_x * s_eps;
-    const double n_column_x = n_heli_x * c_eps - n_arm_z * s_eps;
-    /* body fuselage on heli */
+    const double n_applied_column_z = n_applied_arm_z * c_eps + n_applied_heli_x * s_eps;
+    const double n_applied_column_x = n_applied_heli_x * c_eps - n_applied_arm_z * s_eps;
     const double l_cd_s_theta = p->l_cd * s_theta;
     const double l_cd_c_theta = p->l_cd * c_theta;
     const double l_cd_c_theta_c_eps = l_cd_c_theta * c_eps;
     /* gravity */
     const double gravity_1 = p->m_b * p->g * p->l_oa * c_eps - p->m_c * p->g * p->l_ob * c_eps;
     const double gravity_2 = p->m_h * p->g * (l_cd_c_theta * s_eps + p->l_oc * c_eps);
-    const double h_theta = p->m_h * p->g * l_cd_s_theta * c_eps;
+    const double g_theta = p->m_h * p->g * l_cd_s_theta * c_eps;
     /* balance of forces */
-    const double tau_eps = -p->c0_eps * v->eps - gravity_1 - gravity_2 - n_arm_y;
-    const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - h_theta - l_df_f_2;
+    const double tau_eps = -p->c0_eps * v->eps - gravity_1 - gravity_2 - n_applied_arm_y;
+    const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - g_theta - l_df_f_2;
     /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / p->I_theta;
     const double inv_eps = 1.0 / p->I_eps;
     const double inv_psi = 1.0 / p->I_psi;
-    const double psi_ddot = inv_psi * (n_column_z - p->c0_psi * v->psi);
-    /* input map */
+    const double psi_ddot = inv_psi * (n_applied_column_z - p->c0_psi * v->psi);
     const double l_oc_c_eps_s_theta = p->l_oc * c_eps * s_theta;
     const double l_df_s_eps = p->l_df * s_eps;
     /* derivatives with respect to eps */
@@ -296,11 +314,11 @@ int googol_mrb_linearize(const struct googol_mrb_state *x, const struct googol_m
     a[0][3] = 1.0; /* psi' */
     a[1][4] = 1.0; /* eps' */
     a[2][5] = 1.0; /* theta' */
-    a[3][1] = n_column_x * inv_psi; /* psi'' */
-    a[3][2] = -inv_psi * n_arm_y * c_eps;
+    a[3][1] = n_applied_column_x * inv_psi; /* psi'' */
+    a[3][2] = -inv_psi * n_applied_arm_y * c_eps;
     a[3][3] = -p->c0_psi * inv_psi;
     a[4][1] = -inv_eps * (by_eps_1 + by_eps_2); /* eps'' */
-    a[4][2] = inv_eps * (m_h_g_l_cd_s_theta_s_eps - n_arm_z);
+    a[4][2] = inv_eps * (m_h_g_l_cd_s_theta_s_eps - n_applied_arm_z);
     a[4][4] = -p->c0_eps * inv_eps;
     a[5][1] = inv_theta * m_h_g_l_cd_s_theta_s_eps; /* theta'' */
     a[5][2] = d_theta_ddot_by_theta;
@@ -319,7 +337,11 @@ int googol_mrb_linearize(const struct googol_mrb_state *x, const struct googol_m
     return 0;
 }
 
-int googol_mrb_parameter_jacobian(const struct googol_mrb_state *x, const struct googol_mrb_inputs *u, const struct googol_mrb_parameters *p, double by_p[6][17])
+int googol_mrb_parameter_jacobian(
+    const struct googol_mrb_state *x,
+    const struct googol_mrb_inputs *u,
+    const struct googol_mrb_parameters *p,
+    double by_p[6][17])
 {
     const struct googol_mrb_coordinates *q = &x->q;
     const struct googol_mrb_rates *v = &x->v;
@@ -330,41 +352,37 @@ int googol_mrb_parameter_jacobian(const struct googol_mrb_state *x, const struct
     const double f_s = u->f_1 + u->f_2;
     /* frame arm on column */
     const double a_arm_z = p->g * c_eps;
-    /* force rotor_1 on heli */
     const double l_df_f_1 = p->l_df * u->f_1;
-    /* force rotor_2 on heli */
     const double l_df_f_2 = p->l_df * u->f_2;
     /* frame heli on arm */
-    const double f_heli_1_y = f_s * s_theta;
-    const double f_heli_1_z = f_s * c_theta;
+    const double f_applied_heli_1_y = f_s * s_theta;
+    const double f_applied_heli_1_z = f_s * c_theta;
     /* frame arm on column */
     const double arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
-    const double n_column_z = p->l_oc * f_heli_1_y * c_eps + arm_1;
-    /* body beam on arm */
+    const double n_applied_column_z = p->l_oc * f_applied_heli_1_y * c_eps + arm_1;
     const double l_oa_c_eps = p->l_oa * c_eps;
-    /* body counterweight on arm */
     const double l_ob_c_eps = p->l_ob * c_eps;
     /* body fuselage on heli */
     const double fuselage_1 = p->l_cd * s_eps * c_theta + p->l_oc * c_eps;
-    /* gravity */
     const double g_l_oa_c_eps = p->g * l_oa_c_eps;
     const double g_l_ob_c_eps = p->g * l_ob_c_eps;
     const double g_fuselage_1 = p->g * fuselage_1;
-    const double h_eps = p->m_b * g_l_oa_c_eps - p->m_c * g_l_ob_c_eps + p->m_h * g_fuselage_1;
+    /* gravity */
+    const double g_eps = p->m_b * g_l_oa_c_eps - p->m_c * g_l_ob_c_eps + p->m_h * g_fuselage_1;
     const double l_cd_c_eps_s_theta = p->l_cd * c_eps * s_theta;
     const double g_l_cd_c_eps_s_theta = p->g * l_cd_c_eps_s_theta;
     /* balance of forces */
-    const double tau_eps = p->l_oc * f_heli_1_z - p->c0_eps * v->eps - h_eps;
+    const double tau_eps = p->l_oc * f_applied_heli_1_z - p->c0_eps * v->eps - g_eps;
     const double tau_theta = l_df_f_1 - p->c0_theta * v->theta - p->m_h * g_l_cd_c_eps_s_theta - l_df_f_2;
     /* M = L^T D L and back-substitution */
     const double inv_theta = 1.0 / p->I_theta;
     const double inv_eps = 1.0 / p->I_eps;
     const double inv_psi = 1.0 / p->I_psi;
-    const double psi_ddot = inv_psi * (n_column_z - p->c0_psi * v->psi);
+    const double psi_ddot = inv_psi * (n_applied_column_z - p->c0_psi * v->psi);
     /* derivatives with respect to g */
     const double d_eps_ddot_by_g = -inv_eps * (p->m_b * l_oa_c_eps - p->m_c * l_ob_c_eps + p->m_h * fuselage_1);
     /* derivatives with respect to l_oc */
-    const double d_eps_ddot_by_l_oc = inv_eps * (f_heli_1_z - p->m_h * a_arm_z);
+    const double d_eps_ddot_by_l_oc = inv_eps * (f_applied_heli_1_z - p->m_h * a_arm_z);
     /* derivatives with respect to l_cd */
     const double d_eps_ddot_by_l_cd = -p->m_h * p->g * inv_eps * s_eps * c_theta;
     const double d_theta_ddot_by_l_cd = -p->m_h * p->g * inv_theta * c_eps * s_theta;
@@ -384,7 +402,7 @@ int googol_mrb_parameter_jacobian(const struct googol_mrb_state *x, const struct
             by_p[i][j] = 0.0;
         }
     }
-    by_p[3][4] = inv_psi * f_heli_1_y * c_eps; /* psi'' */
+    by_p[3][4] = inv_psi * f_applied_heli_1_y * c_eps; /* psi'' */
     by_p[3][8] = d_psi_ddot_by_l_df;
     by_p[3][11] = -inv_psi * v->psi;
     by_p[3][14] = -inv_psi * psi_ddot;
@@ -407,7 +425,11 @@ int googol_mrb_parameter_jacobian(const struct googol_mrb_state *x, const struct
     return 0;
 }
 
-void googol_mrb_output_jacobian(const struct googol_mrb_state *x, const struct googol_mrb_parameters *p, double by_x[3][6], double by_p[3][17])
+void googol_mrb_output_jacobian(
+    const struct googol_mrb_state *x,
+    const struct googol_mrb_parameters *p,
+    double by_x[3][6],
+    double by_p[3][17])
 {
     (void)x;
     (void)p;

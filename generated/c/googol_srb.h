@@ -1,6 +1,6 @@
 /*
  * Googol GHP2002, single-rigid-body model.
- * Generated from `googol_srb.rig` (model 82e6ba05); edit the rig, not this file.
+ * Generated from `googol_srb.rig` (model 7ec63ed6); edit the rig, not this file.
  *
  * Eq. 1 to 5 of the seed paper: arm, counterweight and fuselage are one body on a ball joint, l_cd = 0,
  * friction and velocity products neglected. The mass matrix is T^T I T with T of eq. 2 and
@@ -9,7 +9,7 @@
  * Without l_cd there is no pitch stiffness, and at eps = +-90 deg the mass matrix is singular.
  *
  * Assumed: l_cd = 0; no velocity products; no friction.
- * 75 operations forward, 191 with A and B. Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
+ * 60 operations forward, 141 with A and B. Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -34,7 +34,7 @@ struct googol_srb_parameters {
     double c0_psi;   /* viscous friction of the column [N*m*s] */
     double c0_eps;   /* viscous friction of the elevation axis [N*m*s] */
     double c0_theta; /* viscous friction of the pitch axis [N*m*s] */
-    double I_psi;    /* about the upright axis [kg*m^2] */
+    double I_psi;    /* without friction and velocity products no rate of turn balances the thrust [kg*m^2] */
     double I_eps;    /* about the sideways axis [kg*m^2] */
     double I_theta;  /* about the arm [kg*m^2] */
 };
@@ -143,8 +143,8 @@ void googol_srb_inverse_dynamics(
 void googol_srb_outputs(const struct googol_srb_state *x, const struct googol_srb_parameters *p, struct googol_srb_outputs *y);
 
 /*
- * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
- * 75 operations.
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 60 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
@@ -157,7 +157,7 @@ int googol_srb_forward_dynamics(
 
 /*
  * State derivative and its Jacobians A, B, exact, at any state.
- * 191 operations.
+ * 141 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *          psi eps theta psi.dot eps.dot theta.dot | f_1 f_2

@@ -1,13 +1,13 @@
 /*
  * Quanser 3-DOF helicopter with the active disturbance system, its carriage moved from outside.
- * Generated from `quanser_ads.rig` (model 5d570299); edit the rig, not this file.
+ * Generated from `quanser_ads.rig` (model cb3099e2); edit the rig, not this file.
  *
  * A carriage on a ball screw slides along the arm and disturbs elevation and travel. Here its position
  * loop is taken to be stiff: its acceleration s.ddot is a signal, and it reacts on the arm. Travel
  * 11 in with home in the middle, at most 0.08 m/s (Quanser's manual of the active disturbance system); the
  * carriage's mass and the rail's place along the arm are not published.
  *
- * 229 operations forward, 867 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 189 operations forward, 706 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -20,8 +20,7 @@ extern "C" {
 
 /* Parameters p. */
 struct quanser_ads_parameters {
-    double m_f;         /* front rotor; both rotors 1.308 kg [kg] */
-    double m_b;         /* back rotor [kg] */
+    double m_h;         /* helicopter: both rotors [kg] */
     double m_w;         /* counterweight [kg] */
     double L_a;         /* elevation axis to pitch axis [m] */
     double L_w;         /* elevation axis to counterweight [m] */
@@ -84,61 +83,82 @@ struct quanser_ads_state {
 /* The values that the rig's file gives. */
 void quanser_ads_nominal(struct quanser_ads_parameters *p);
 
-/* Mass matrix M(q), 4 x 4, symmetric; rows (travel, elevation, pitch, s).
- */
+/* Mass matrix M(q), 4 x 4, symmetric; rows (travel, elevation, pitch, s). */
 void quanser_ads_mass_matrix(const struct quanser_ads_coordinates *q, const struct quanser_ads_parameters *p, double m[4][4]);
 
-/* Bias h(q, v) [N m, N m, N m, N]: velocity products + gravity + springs; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_bias(const struct quanser_ads_coordinates *q, const struct quanser_ads_rates *v, const struct quanser_ads_parameters *p, double h[4]);
+/* Bias h(q, v) [N m, N m, N m, N]: velocity products + gravity + springs; rows (travel, elevation, pitch, s). */
+void quanser_ads_bias(
+    const struct quanser_ads_coordinates *q,
+    const struct quanser_ads_rates *v,
+    const struct quanser_ads_parameters *p,
+    double h[4]);
 
-/* Velocity products C(q, v) v [N m, N m, N m, N]: Coriolis and centrifugal terms; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_velocity_products(const struct quanser_ads_coordinates *q, const struct quanser_ads_rates *v, const struct quanser_ads_parameters *p, double c[4]);
+/* Velocity products C(q, v) v [N m, N m, N m, N]: Coriolis and centrifugal terms; rows (travel, elevation, pitch, s). */
+void quanser_ads_velocity_products(
+    const struct quanser_ads_coordinates *q,
+    const struct quanser_ads_rates *v,
+    const struct quanser_ads_parameters *p,
+    double c[4]);
 
-/* Generalized gravity g(q) [N m, N m, N m, N]: what holds the rig still; rows (travel, elevation, pitch, s).
- */
+/* Generalized gravity g(q) [N m, N m, N m, N]: what holds the rig still; rows (travel, elevation, pitch, s). */
 void quanser_ads_gravity(const struct quanser_ads_coordinates *q, const struct quanser_ads_parameters *p, double g[4]);
 
-/* Friction and dampers d(q, v) [N m, N m, N m, N], on the left-hand side; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_dissipation(const struct quanser_ads_coordinates *q, const struct quanser_ads_rates *v, const struct quanser_ads_parameters *p, double d[4]);
+/* Friction and dampers d(q, v) [N m, N m, N m, N], on the left-hand side; rows (travel, elevation, pitch, s). */
+void quanser_ads_dissipation(
+    const struct quanser_ads_coordinates *q,
+    const struct quanser_ads_rates *v,
+    const struct quanser_ads_parameters *p,
+    double d[4]);
 
-/* Generalized force Q [N m, N m, N m, N] of the inputs; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_generalized_force(const struct quanser_ads_coordinates *q, const struct quanser_ads_inputs *u, const struct quanser_ads_parameters *p, double f[4]);
+/* Generalized force Q [N m, N m, N m, N] of the inputs; rows (travel, elevation, pitch, s). */
+void quanser_ads_generalized_force(
+    const struct quanser_ads_coordinates *q,
+    const struct quanser_ads_inputs *u,
+    const struct quanser_ads_parameters *p,
+    double f[4]);
 
-/* Input map dQ/du, 4 x 3; rows (travel, elevation, pitch, s), columns (V_f, V_b, s.ddot).
- */
+/* Input map dQ/du, 4 x 3; rows (travel, elevation, pitch, s), columns (V_f, V_b, s.ddot). */
 void quanser_ads_input_map(const struct quanser_ads_coordinates *q, const struct quanser_ads_parameters *p, double s[4][3]);
 
-/* Kinetic energy T(q, v) [J].
- */
-double quanser_ads_kinetic_energy(const struct quanser_ads_coordinates *q, const struct quanser_ads_rates *v, const struct quanser_ads_parameters *p);
+/* Kinetic energy T(q, v) [J]. */
+double quanser_ads_kinetic_energy(
+    const struct quanser_ads_coordinates *q,
+    const struct quanser_ads_rates *v,
+    const struct quanser_ads_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double quanser_ads_potential_energy(const struct quanser_ads_coordinates *q, const struct quanser_ads_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m, N m, N m, N]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m, N m, N m, N]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void quanser_ads_inverse_dynamics(const struct quanser_ads_state *x, const struct quanser_ads_accelerations *a, const struct quanser_ads_inputs *u, const struct quanser_ads_parameters *p, double r[4]);
+void quanser_ads_inverse_dynamics(
+    const struct quanser_ads_state *x,
+    const struct quanser_ads_accelerations *a,
+    const struct quanser_ads_inputs *u,
+    const struct quanser_ads_parameters *p,
+    double r[4]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
 void quanser_ads_outputs(const struct quanser_ads_state *x, const struct quanser_ads_parameters *p, struct quanser_ads_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
- * 229 operations.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 189 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int quanser_ads_forward_dynamics(const struct quanser_ads_state *x, const struct quanser_ads_inputs *u, const struct quanser_ads_parameters *p, struct quanser_ads_accelerations *a);
+int quanser_ads_forward_dynamics(
+    const struct quanser_ads_state *x,
+    const struct quanser_ads_inputs *u,
+    const struct quanser_ads_parameters *p,
+    struct quanser_ads_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
- * 867 operations.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
+ * 706 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *              travel elevation pitch s travel.dot elevation.dot pitch.dot s.dot | V_f V_b s.ddot
@@ -154,18 +174,32 @@ int quanser_ads_forward_dynamics(const struct quanser_ads_state *x, const struct
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int quanser_ads_linearize(const struct quanser_ads_state *x, const struct quanser_ads_inputs *u, const struct quanser_ads_parameters *p, double dx[8], double a[8][8], double b[8][3]);
+int quanser_ads_linearize(
+    const struct quanser_ads_state *x,
+    const struct quanser_ads_inputs *u,
+    const struct quanser_ads_parameters *p,
+    double dx[8],
+    double a[8][8],
+    double b[8][3]);
 
-/* Parameter Jacobian dx'/dp, 8 x 14; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 8 x 13; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int quanser_ads_parameter_jacobian(const struct quanser_ads_state *x, const struct quanser_ads_inputs *u, const struct quanser_ads_parameters *p, double by_p[8][14]);
+int quanser_ads_parameter_jacobian(
+    const struct quanser_ads_state *x,
+    const struct quanser_ads_inputs *u,
+    const struct quanser_ads_parameters *p,
+    double by_p[8][13]);
 
-/* Jacobians of the measured outputs.
- */
-void quanser_ads_output_jacobian(const struct quanser_ads_state *x, const struct quanser_ads_parameters *p, double by_x[4][8], double by_p[4][14]);
+/* Jacobians of the measured outputs. */
+void quanser_ads_output_jacobian(
+    const struct quanser_ads_state *x,
+    const struct quanser_ads_parameters *p,
+    double by_x[4][8],
+    double by_p[4][13]);
 
 #ifdef __cplusplus
 }

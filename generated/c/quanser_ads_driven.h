@@ -1,12 +1,12 @@
 /*
  * Quanser 3-DOF helicopter with the active disturbance system, its carriage driven by its motor.
- * Generated from `quanser_ads_driven.rig` (model 9e1ea947); edit the rig, not this file.
+ * Generated from `quanser_ads_driven.rig` (model df2d3e4a); edit the rig, not this file.
  *
  * The carriage has an equation of its own: motor torque through gear and ball screw, back-EMF, rotor
  * inertia, and the pull of gravity along the tilted arm. Motor and screw: Quanser's manual of the active
  * disturbance system; the rotor's inertia and the rail's friction are not published.
  *
- * 254 operations forward, 934 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 214 operations forward, 773 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */
@@ -19,8 +19,7 @@ extern "C" {
 
 /* Parameters p. */
 struct quanser_ads_driven_parameters {
-    double m_f;         /* front rotor; both rotors 1.308 kg [kg] */
-    double m_b;         /* back rotor [kg] */
+    double m_h;         /* helicopter: both rotors [kg] */
     double m_w;         /* counterweight [kg] */
     double L_a;         /* elevation axis to pitch axis [m] */
     double L_w;         /* elevation axis to counterweight [m] */
@@ -89,61 +88,92 @@ struct quanser_ads_driven_state {
 /* The values that the rig's file gives. */
 void quanser_ads_driven_nominal(struct quanser_ads_driven_parameters *p);
 
-/* Mass matrix M(q), 4 x 4, symmetric; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_driven_mass_matrix(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_parameters *p, double m[4][4]);
+/* Mass matrix M(q), 4 x 4, symmetric; rows (travel, elevation, pitch, s). */
+void quanser_ads_driven_mass_matrix(
+    const struct quanser_ads_driven_coordinates *q,
+    const struct quanser_ads_driven_parameters *p,
+    double m[4][4]);
 
-/* Bias h(q, v) [N m, N m, N m, N]: velocity products + gravity + springs; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_driven_bias(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_rates *v, const struct quanser_ads_driven_parameters *p, double h[4]);
+/* Bias h(q, v) [N m, N m, N m, N]: velocity products + gravity + springs; rows (travel, elevation, pitch, s). */
+void quanser_ads_driven_bias(
+    const struct quanser_ads_driven_coordinates *q,
+    const struct quanser_ads_driven_rates *v,
+    const struct quanser_ads_driven_parameters *p,
+    double h[4]);
 
-/* Velocity products C(q, v) v [N m, N m, N m, N]: Coriolis and centrifugal terms; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_driven_velocity_products(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_rates *v, const struct quanser_ads_driven_parameters *p, double c[4]);
+/* Velocity products C(q, v) v [N m, N m, N m, N]: Coriolis and centrifugal terms; rows (travel, elevation, pitch, s). */
+void quanser_ads_driven_velocity_products(
+    const struct quanser_ads_driven_coordinates *q,
+    const struct quanser_ads_driven_rates *v,
+    const struct quanser_ads_driven_parameters *p,
+    double c[4]);
 
-/* Generalized gravity g(q) [N m, N m, N m, N]: what holds the rig still; rows (travel, elevation, pitch, s).
- */
+/* Generalized gravity g(q) [N m, N m, N m, N]: what holds the rig still; rows (travel, elevation, pitch, s). */
 void quanser_ads_driven_gravity(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_parameters *p, double g[4]);
 
-/* Friction and dampers d(q, v) [N m, N m, N m, N], on the left-hand side; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_driven_dissipation(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_rates *v, const struct quanser_ads_driven_parameters *p, double d[4]);
+/* Friction and dampers d(q, v) [N m, N m, N m, N], on the left-hand side; rows (travel, elevation, pitch, s). */
+void quanser_ads_driven_dissipation(
+    const struct quanser_ads_driven_coordinates *q,
+    const struct quanser_ads_driven_rates *v,
+    const struct quanser_ads_driven_parameters *p,
+    double d[4]);
 
-/* Generalized force Q [N m, N m, N m, N] of the inputs; rows (travel, elevation, pitch, s).
- */
-void quanser_ads_driven_generalized_force(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_rates *v, const struct quanser_ads_driven_inputs *u, const struct quanser_ads_driven_parameters *p, double f[4]);
+/* Generalized force Q [N m, N m, N m, N] of the inputs; rows (travel, elevation, pitch, s). */
+void quanser_ads_driven_generalized_force(
+    const struct quanser_ads_driven_coordinates *q,
+    const struct quanser_ads_driven_rates *v,
+    const struct quanser_ads_driven_inputs *u,
+    const struct quanser_ads_driven_parameters *p,
+    double f[4]);
 
-/* Input map dQ/du, 4 x 3; rows (travel, elevation, pitch, s), columns (V_f, V_b, V_s_motor).
- */
-void quanser_ads_driven_input_map(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_parameters *p, double s[4][3]);
+/* Input map dQ/du, 4 x 3; rows (travel, elevation, pitch, s), columns (V_f, V_b, V_s_motor). */
+void quanser_ads_driven_input_map(
+    const struct quanser_ads_driven_coordinates *q,
+    const struct quanser_ads_driven_parameters *p,
+    double s[4][3]);
 
-/* Kinetic energy T(q, v) [J].
- */
-double quanser_ads_driven_kinetic_energy(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_rates *v, const struct quanser_ads_driven_parameters *p);
+/* Kinetic energy T(q, v) [J]. */
+double quanser_ads_driven_kinetic_energy(
+    const struct quanser_ads_driven_coordinates *q,
+    const struct quanser_ads_driven_rates *v,
+    const struct quanser_ads_driven_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double quanser_ads_driven_potential_energy(const struct quanser_ads_driven_coordinates *q, const struct quanser_ads_driven_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m, N m, N m, N]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m, N m, N m, N]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void quanser_ads_driven_inverse_dynamics(const struct quanser_ads_driven_state *x, const struct quanser_ads_driven_accelerations *a, const struct quanser_ads_driven_inputs *u, const struct quanser_ads_driven_parameters *p, double r[4]);
+void quanser_ads_driven_inverse_dynamics(
+    const struct quanser_ads_driven_state *x,
+    const struct quanser_ads_driven_accelerations *a,
+    const struct quanser_ads_driven_inputs *u,
+    const struct quanser_ads_driven_parameters *p,
+    double r[4]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
-void quanser_ads_driven_outputs(const struct quanser_ads_driven_state *x, const struct quanser_ads_driven_parameters *p, struct quanser_ads_driven_outputs *y);
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
+void quanser_ads_driven_outputs(
+    const struct quanser_ads_driven_state *x,
+    const struct quanser_ads_driven_parameters *p,
+    struct quanser_ads_driven_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
- * 254 operations.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+ * 214 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int quanser_ads_driven_forward_dynamics(const struct quanser_ads_driven_state *x, const struct quanser_ads_driven_inputs *u, const struct quanser_ads_driven_parameters *p, struct quanser_ads_driven_accelerations *a);
+int quanser_ads_driven_forward_dynamics(
+    const struct quanser_ads_driven_state *x,
+    const struct quanser_ads_driven_inputs *u,
+    const struct quanser_ads_driven_parameters *p,
+    struct quanser_ads_driven_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
- * 934 operations.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
+ * 773 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
  *              travel elevation pitch s travel.dot elevation.dot pitch.dot s.dot | V_f V_b V_s_motor
@@ -159,18 +189,32 @@ int quanser_ads_driven_forward_dynamics(const struct quanser_ads_driven_state *x
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int quanser_ads_driven_linearize(const struct quanser_ads_driven_state *x, const struct quanser_ads_driven_inputs *u, const struct quanser_ads_driven_parameters *p, double dx[8], double a[8][8], double b[8][3]);
+int quanser_ads_driven_linearize(
+    const struct quanser_ads_driven_state *x,
+    const struct quanser_ads_driven_inputs *u,
+    const struct quanser_ads_driven_parameters *p,
+    double dx[8],
+    double a[8][8],
+    double b[8][3]);
 
-/* Parameter Jacobian dx'/dp, 8 x 20; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 8 x 19; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int quanser_ads_driven_parameter_jacobian(const struct quanser_ads_driven_state *x, const struct quanser_ads_driven_inputs *u, const struct quanser_ads_driven_parameters *p, double by_p[8][20]);
+int quanser_ads_driven_parameter_jacobian(
+    const struct quanser_ads_driven_state *x,
+    const struct quanser_ads_driven_inputs *u,
+    const struct quanser_ads_driven_parameters *p,
+    double by_p[8][19]);
 
-/* Jacobians of the measured outputs.
- */
-void quanser_ads_driven_output_jacobian(const struct quanser_ads_driven_state *x, const struct quanser_ads_driven_parameters *p, double by_x[4][8], double by_p[4][20]);
+/* Jacobians of the measured outputs. */
+void quanser_ads_driven_output_jacobian(
+    const struct quanser_ads_driven_state *x,
+    const struct quanser_ads_driven_parameters *p,
+    double by_x[4][8],
+    double by_p[4][19]);
 
 #ifdef __cplusplus
 }

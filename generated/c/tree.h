@@ -81,60 +81,62 @@ struct tree_state {
 /* The values that the rig's file gives. */
 void tree_nominal(struct tree_parameters *p);
 
-/* Mass matrix M(q), 4 x 4, symmetric; rows (psi, left, right, elbow).
- */
+/* Mass matrix M(q), 4 x 4, symmetric; rows (psi, left, right, elbow). */
 void tree_mass_matrix(const struct tree_coordinates *q, const struct tree_parameters *p, double m[4][4]);
 
-/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (psi, left, right, elbow).
- */
+/* Bias h(q, v) [N m]: velocity products + gravity + springs; rows (psi, left, right, elbow). */
 void tree_bias(const struct tree_coordinates *q, const struct tree_rates *v, const struct tree_parameters *p, double h[4]);
 
-/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, left, right, elbow).
- */
+/* Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (psi, left, right, elbow). */
 void tree_velocity_products(const struct tree_coordinates *q, const struct tree_rates *v, const struct tree_parameters *p, double c[4]);
 
-/* Generalized gravity g(q) [N m]: what holds the rig still; rows (psi, left, right, elbow).
- */
+/* Generalized gravity g(q) [N m]: what holds the rig still; rows (psi, left, right, elbow). */
 void tree_gravity(const struct tree_coordinates *q, const struct tree_parameters *p, double g[4]);
 
-/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, left, right, elbow).
- */
+/* Friction and dampers d(q, v) [N m], on the left-hand side; rows (psi, left, right, elbow). */
 void tree_dissipation(const struct tree_coordinates *q, const struct tree_rates *v, const struct tree_parameters *p, double d[4]);
 
-/* Generalized force Q [N m] of the inputs; rows (psi, left, right, elbow).
- */
+/* Generalized force Q [N m] of the inputs; rows (psi, left, right, elbow). */
 void tree_generalized_force(const struct tree_coordinates *q, const struct tree_inputs *u, const struct tree_parameters *p, double f[4]);
 
-/* Input map dQ/du, 4 x 4; rows (psi, left, right, elbow), columns (tau_psi, tau_l, tau_r, tau_e).
- */
+/* Input map dQ/du, 4 x 4; rows (psi, left, right, elbow), columns (tau_psi, tau_l, tau_r, tau_e). */
 void tree_input_map(const struct tree_coordinates *q, const struct tree_parameters *p, double s[4][4]);
 
-/* Kinetic energy T(q, v) [J].
- */
+/* Kinetic energy T(q, v) [J]. */
 double tree_kinetic_energy(const struct tree_coordinates *q, const struct tree_rates *v, const struct tree_parameters *p);
 
-/* Potential energy V(q) [J]: gravity and springs.
- */
+/* Potential energy V(q) [J]: gravity and springs. */
 double tree_potential_energy(const struct tree_coordinates *q, const struct tree_parameters *p);
 
-/* Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
+/*
+ * Inverse dynamics M a + h + d - Q [N m]: the generalized force that is missing for the accelerations a;
  * zero where a, v, q and u fit together.
  */
-void tree_inverse_dynamics(const struct tree_state *x, const struct tree_accelerations *a, const struct tree_inputs *u, const struct tree_parameters *p, double r[4]);
+void tree_inverse_dynamics(
+    const struct tree_state *x,
+    const struct tree_accelerations *a,
+    const struct tree_inputs *u,
+    const struct tree_parameters *p,
+    double r[4]);
 
-/* Measured outputs y(x), with scale and bias, without delay and quantization.
- */
+/* Measured outputs y(x), with scale and bias, without delay and quantization. */
 void tree_outputs(const struct tree_state *x, const struct tree_parameters *p, struct tree_outputs *y);
 
-/* Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/*
+ * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 219 operations.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int tree_forward_dynamics(const struct tree_state *x, const struct tree_inputs *u, const struct tree_parameters *p, struct tree_accelerations *a);
+int tree_forward_dynamics(
+    const struct tree_state *x,
+    const struct tree_inputs *u,
+    const struct tree_parameters *p,
+    struct tree_accelerations *a);
 
-/* State derivative and its Jacobians A, B, exact, at any state.
+/*
+ * State derivative and its Jacobians A, B, exact, at any state.
  * 598 operations.
  *
  * Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
@@ -151,17 +153,23 @@ int tree_forward_dynamics(const struct tree_state *x, const struct tree_inputs *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
-int tree_linearize(const struct tree_state *x, const struct tree_inputs *u, const struct tree_parameters *p, double dx[8], double a[8][8], double b[8][4]);
+int tree_linearize(
+    const struct tree_state *x,
+    const struct tree_inputs *u,
+    const struct tree_parameters *p,
+    double dx[8],
+    double a[8][8],
+    double b[8][4]);
 
-/* Parameter Jacobian dx'/dp, 8 x 11; columns in the order of Parameters.
+/*
+ * Parameter Jacobian dx'/dp, 8 x 11; columns in the order of Parameters.
  *
  * Returns 0, or 1 + the index of the coordinate at which the mass matrix is not positive definite;
  * then the results are not written.
  */
 int tree_parameter_jacobian(const struct tree_state *x, const struct tree_inputs *u, const struct tree_parameters *p, double by_p[8][11]);
 
-/* Jacobians of the measured outputs.
- */
+/* Jacobians of the measured outputs. */
 void tree_output_jacobian(const struct tree_state *x, const struct tree_parameters *p, double by_x[4][8], double by_p[4][11]);
 
 #ifdef __cplusplus

@@ -253,8 +253,8 @@ pub fn mass_matrix(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 2] {
     // body lower_arm on lower
     let mc_lower_z = p.m_2 * p.l_c2;
     let I_lower_xx = p.I_2 + p.l_c2 * mc_lower_z;
-    // frame lower on upper
     let mc_lower_z_c_elbow = mc_lower_z * c_elbow;
+    // frame lower on upper
     let M_shoulder_elbow = I_lower_xx + p.l_1 * mc_lower_z_c_elbow;
     // frame upper on ground
     let M_shoulder_shoulder = I_upper_xx + I_lower_xx + p.l_1 * (mc_lower_z_c_elbow + mc_lower_z_c_elbow + p.m_2 * p.l_1);
@@ -294,10 +294,10 @@ pub fn velocity_products(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2]
     let omega_lower_y = v.shoulder + v.elbow;
     let a_lower_1_z = -p.l_1 * v.shoulder * v.shoulder;
     let a_lower_x = -a_lower_1_z * s_elbow;
-    let f_lower_z = p.m_2 * a_lower_1_z * c_elbow - mc_lower_z * omega_lower_y * omega_lower_y;
-    let n_lower_y = mc_lower_z * a_lower_x;
-    let f_lower_1_x = p.m_2 * a_lower_x * c_elbow + f_lower_z * s_elbow;
-    [n_lower_y + p.l_1 * f_lower_1_x, n_lower_y]
+    let f_moving_lower_z = p.m_2 * a_lower_1_z * c_elbow - mc_lower_z * omega_lower_y * omega_lower_y;
+    let n_moving_lower_y = mc_lower_z * a_lower_x;
+    let f_moving_lower_1_x = p.m_2 * a_lower_x * c_elbow + f_moving_lower_z * s_elbow;
+    [n_moving_lower_y + p.l_1 * f_moving_lower_1_x, n_moving_lower_y]
 }
 
 /// Generalized gravity g(q) [N m]: what holds the rig still; rows (shoulder, elbow).
@@ -305,10 +305,8 @@ pub fn velocity_products(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2]
 pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 2] {
     let (s_shoulder, c_shoulder) = sin_cos(q.shoulder);
     let (s_elbow, c_elbow) = sin_cos(q.elbow);
-    // body lower_arm on lower
     let l_c2_c_elbow = p.l_c2 * c_elbow;
     let l_c2_c_shoulder_s_elbow = p.l_c2 * c_shoulder * s_elbow;
-    // gravity
     let gravity_1 = p.m_2 * p.g * (s_shoulder * (p.l_1 + l_c2_c_elbow) + l_c2_c_shoulder_s_elbow);
     let g_shoulder = -p.m_1 * p.l_c1 * p.g * s_shoulder - gravity_1;
     let g_elbow = -p.m_2 * p.g * (l_c2_c_shoulder_s_elbow + l_c2_c_elbow * s_shoulder);
@@ -341,8 +339,8 @@ pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     let omega_lower_y = v.shoulder + v.elbow;
     let l_1_shoulder_dot = p.l_1 * v.shoulder;
     let l_1_shoulder_dot_s_elbow = l_1_shoulder_dot * s_elbow;
-    // body upper_arm on upper
     let l_c1_shoulder_dot = p.l_c1 * v.shoulder;
+    // body upper_arm on upper
     let upper_arm_1 = 0.5 * (p.m_1 * l_c1_shoulder_dot * l_c1_shoulder_dot + p.I_1 * v.shoulder * v.shoulder);
     // body lower_arm on lower
     let lower_arm_1 = l_1_shoulder_dot * c_elbow + p.l_c2 * omega_lower_y;
@@ -376,7 +374,6 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let omega_lower_y = v.shoulder + v.elbow;
     // frame upper on ground
     let a_upper_x = -p.g * s_shoulder;
-    let upper_1 = a.shoulder * (p.I_1 + p.l_c1 * mc_upper_z) + mc_upper_z * a_upper_x;
     // frame lower on upper
     let a_lower_1_z = p.g * c_shoulder - p.l_1 * v.shoulder * v.shoulder;
     let a_lower_1_x = p.l_1 * a.shoulder + a_upper_x;
@@ -385,13 +382,13 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     // frame lower on upper
     let a_lower_z = a_lower_1_z * c_elbow + a_lower_1_x * s_elbow;
     let a_lower_x = a_lower_1_x * c_elbow - a_lower_1_z * s_elbow;
-    let f_lower_x = p.m_2 * a_lower_x + mc_lower_z * alpha_lower_y;
-    let f_lower_z = p.m_2 * a_lower_z - mc_lower_z * omega_lower_y * omega_lower_y;
-    let n_lower_y = alpha_lower_y * (p.I_2 + p.l_c2 * mc_lower_z) + mc_lower_z * a_lower_x;
-    let f_lower_1_x = f_lower_z * s_elbow + f_lower_x * c_elbow;
+    let f_net_lower_x = p.m_2 * a_lower_x + mc_lower_z * alpha_lower_y;
+    let f_net_lower_z = p.m_2 * a_lower_z - mc_lower_z * omega_lower_y * omega_lower_y;
+    let n_net_lower_y = alpha_lower_y * (p.I_2 + p.l_c2 * mc_lower_z) + mc_lower_z * a_lower_x;
+    let f_net_lower_1_x = f_net_lower_z * s_elbow + f_net_lower_x * c_elbow;
     // frame upper on ground
-    let n_upper_y = upper_1 + n_lower_y + p.l_1 * f_lower_1_x;
-    [p.c_1 * v.shoulder + n_upper_y, p.c_2 * v.elbow + n_lower_y - u.tau]
+    let n_net_upper_y = a.shoulder * (p.I_1 + p.l_c1 * mc_upper_z) + mc_upper_z * a_upper_x + n_net_lower_y + p.l_1 * f_net_lower_1_x;
+    [p.c_1 * v.shoulder + n_net_upper_y, p.c_2 * v.elbow + n_net_lower_y - u.tau]
 }
 
 /// Measured outputs y(x), with scale and bias, without delay and quantization.
@@ -487,10 +484,10 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // frame upper on ground
     let a_upper_z = p.g * c_shoulder;
     let a_upper_x = -p.g * s_shoulder;
-    // frame lower on upper
     let a_upper_x_s_elbow = a_upper_x * s_elbow;
     let a_upper_x_c_elbow = a_upper_x * c_elbow;
-    let f_lower_x = -p.m_2 * (a_upper_z * s_elbow - a_upper_x_c_elbow);
+    // frame lower on upper
+    let f_weight_lower_x = -p.m_2 * (a_upper_z * s_elbow - a_upper_x_c_elbow);
     let a_lower_1_z = a_upper_z - p.l_1 * v.shoulder * v.shoulder;
     let lower_1_1 = I_lower_xx + p.l_1 * (mc_lower_z_c_elbow + mc_lower_z_c_elbow + p.m_2 * p.l_1);
     let a_lower_1_z_c_elbow = a_lower_1_z * c_elbow;
@@ -514,30 +511,32 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // derivatives with respect to shoulder
     let by_shoulder_1 = a_upper_x_s_elbow + a_upper_z * c_elbow;
     let mc_lower_z_by_shoulder_1 = mc_lower_z * by_shoulder_1;
-    let by_shoulder_2 = p.l_1 * (f_lower_x * s_elbow - p.m_2 * by_shoulder_1 * c_elbow);
+    let by_shoulder_2 = p.l_1 * (f_weight_lower_x * s_elbow - p.m_2 * by_shoulder_1 * c_elbow);
     let by_shoulder_3 = mc_upper_z * a_upper_z + mc_lower_z_by_shoulder_1 - by_shoulder_2;
     let d_shoulder_ddot_by_shoulder = inv_shoulder * (by_shoulder_3 - l_elbow_shoulder * mc_lower_z_by_shoulder_1);
     let d_elbow_ddot_by_shoulder = inv_elbow * mc_lower_z_by_shoulder_1 - l_elbow_shoulder * d_shoulder_ddot_by_shoulder;
-    // derivatives with respect to shoulder_dot
     let two_l_1_shoulder_dot = 2.0 * p.l_1 * v.shoulder;
     let two_mc_lower_z_omega_lower_y = 2.0 * mc_lower_z * omega_lower_y;
     let two_l_1_shoulder_dot_s_elbow = two_l_1_shoulder_dot * s_elbow;
+    // derivatives with respect to shoulder_dot
     let by_shoulder_dot_1 = mc_lower_z * two_l_1_shoulder_dot_s_elbow;
     let by_shoulder_dot_2 = s_elbow * (two_mc_lower_z_omega_lower_y + p.m_2 * two_l_1_shoulder_dot * c_elbow);
-    let by_shoulder_dot_3 = by_shoulder_dot_1 + p.l_1 * (p.m_2 * two_l_1_shoulder_dot_s_elbow * c_elbow - by_shoulder_dot_2);
-    let d_shoulder_ddot_by_shoulder_dot = inv_shoulder * (l_elbow_shoulder * by_shoulder_dot_1 - p.c_1 - by_shoulder_dot_3);
+    let by_shoulder_dot_3 = p.l_1 * (p.m_2 * two_l_1_shoulder_dot_s_elbow * c_elbow - by_shoulder_dot_2);
+    let by_shoulder_dot_4 = l_elbow_shoulder * by_shoulder_dot_1 - p.c_1 - by_shoulder_dot_1 - by_shoulder_dot_3;
+    let d_shoulder_ddot_by_shoulder_dot = inv_shoulder * by_shoulder_dot_4;
     let d_elbow_ddot_by_shoulder_dot = -inv_elbow * by_shoulder_dot_1 - l_elbow_shoulder * d_shoulder_ddot_by_shoulder_dot;
     // slopes of the balance of forces, at the accelerations found
     let slopes_1 = a_upper_x + p.l_1 * shoulder_ddot;
     let slopes_2 = a_lower_1_z_c_elbow + slopes_1 * s_elbow;
     let slopes_3 = p.m_2 * (a_lower_1_z_s_elbow - slopes_1 * c_elbow);
     let m_2_slopes_2 = p.m_2 * slopes_2;
-    let slopes_4 = s_elbow * (mc_lower_z * (elbow_ddot + shoulder_ddot) - slopes_3);
+    let slopes_4 = c_elbow * (m_2_slopes_2 - mc_lower_z_omega_lower_y_sq);
+    let slopes_5 = s_elbow * (mc_lower_z * (elbow_ddot + shoulder_ddot) - slopes_3);
     let mc_lower_z_slopes_2 = mc_lower_z * slopes_2;
-    let slopes_5 = c_elbow * (m_2_slopes_2 - mc_lower_z_omega_lower_y_sq) - slopes_3 * s_elbow;
-    let slopes_6 = p.l_1 * (slopes_5 - slopes_4 - m_2_slopes_2 * c_elbow);
+    let slopes_6 = slopes_5 + m_2_slopes_2 * c_elbow;
+    let slopes_7 = p.l_1 * (slopes_4 - slopes_3 * s_elbow - slopes_6);
     // derivatives with respect to elbow
-    let d_shoulder_ddot_by_elbow = inv_shoulder * (mc_lower_z_slopes_2 - slopes_6 - l_elbow_shoulder * mc_lower_z_slopes_2);
+    let d_shoulder_ddot_by_elbow = inv_shoulder * (mc_lower_z_slopes_2 - slopes_7 - l_elbow_shoulder * mc_lower_z_slopes_2);
     let d_elbow_ddot_by_elbow = inv_elbow * mc_lower_z_slopes_2 - l_elbow_shoulder * d_shoulder_ddot_by_elbow;
     // derivatives with respect to elbow_dot
     let d_shoulder_ddot_by_elbow_dot = inv_shoulder * (p.l_1 * two_mc_lower_z_omega_lower_y * s_elbow + p.c_2 * l_elbow_shoulder);
@@ -583,8 +582,8 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let mc_lower_z_omega_lower_y_sq = mc_lower_z * omega_lower_y_sq;
     let mc_lower_z_c_elbow = mc_lower_z * c_elbow;
     let M_shoulder_elbow = I_lower_xx + p.l_1 * mc_lower_z_c_elbow;
-    // frame upper on ground
     let shoulder_dot_sq = v.shoulder * v.shoulder;
+    // frame upper on ground
     let a_upper_x = -p.g * s_shoulder;
     // frame lower on upper
     let a_lower_1_z = p.g * c_shoulder - p.l_1 * shoulder_dot_sq;
@@ -618,38 +617,38 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let slopes_1_l_c2_sq = p.l_c2 * p.l_c2 * slopes_1;
     let l_c2_slopes_4 = p.l_c2 * slopes_4;
     let slopes_7 = c_elbow * (p.l_c2 * slopes_1 - slopes_4);
-    let slopes_8 = p.l_1 * (s_elbow * (slopes_3 - p.l_c2 * omega_lower_y_sq) + slopes_7);
-    let slopes_9 = shoulder_dot_sq * s_elbow + shoulder_ddot * c_elbow;
-    let slopes_10 = p.m_2 * (shoulder_dot_sq * c_elbow - shoulder_ddot * s_elbow);
-    let mc_lower_z_slopes_9 = mc_lower_z * slopes_9;
-    let slopes_11 = p.l_1 * (p.m_2 * slopes_9 * c_elbow - slopes_10 * s_elbow);
+    let slopes_8 = s_elbow * (slopes_3 - p.l_c2 * omega_lower_y_sq) + slopes_7;
+    let slopes_9 = slopes_1_l_c2_sq - l_c2_slopes_4 + p.l_1 * slopes_8;
+    let slopes_10 = shoulder_dot_sq * s_elbow + shoulder_ddot * c_elbow;
+    let slopes_11 = p.m_2 * (shoulder_dot_sq * c_elbow - shoulder_ddot * s_elbow);
+    let mc_lower_z_slopes_10 = mc_lower_z * slopes_10;
+    let slopes_12 = p.m_2 * slopes_10 * c_elbow - slopes_11 * s_elbow;
+    let slopes_13 = mc_lower_z_slopes_10 + slopes_6 + p.l_1 * slopes_12;
     let two_slopes_1_mc_lower_z = 2.0 * slopes_1 * mc_lower_z;
-    let slopes_12 = p.m_2 * slopes_1 * c_elbow - p.m_2 * omega_lower_y_sq * s_elbow;
-    let slopes_13 = two_slopes_1_mc_lower_z - m_2_slopes_4 + p.l_1 * slopes_12;
+    let slopes_14 = p.m_2 * slopes_1 * c_elbow - p.m_2 * omega_lower_y_sq * s_elbow;
+    let slopes_15 = two_slopes_1_mc_lower_z - m_2_slopes_4 + p.l_1 * slopes_14;
     // derivatives with respect to g
     let by_g_1 = c_shoulder * s_elbow + s_shoulder * c_elbow;
     let by_g_2 = p.m_2 * (c_shoulder * c_elbow - s_shoulder * s_elbow);
     let mc_lower_z_by_g_1 = mc_lower_z * by_g_1;
-    let by_g_3 = p.l_1 * (by_g_2 * s_elbow - p.m_2 * by_g_1 * c_elbow);
-    let by_g_4 = mc_upper_z * s_shoulder - by_g_3 + mc_lower_z_by_g_1;
+    let by_g_3 = by_g_2 * s_elbow - p.m_2 * by_g_1 * c_elbow;
+    let by_g_4 = mc_upper_z * s_shoulder - p.l_1 * by_g_3 + mc_lower_z_by_g_1;
     let d_shoulder_ddot_by_g = inv_shoulder * (by_g_4 - l_elbow_shoulder * mc_lower_z_by_g_1);
     let d_elbow_ddot_by_g = inv_elbow * mc_lower_z_by_g_1 - l_elbow_shoulder * d_shoulder_ddot_by_g;
     // derivatives with respect to m_1
     let d_shoulder_ddot_by_m_1 = inv_shoulder * (-p.l_c1 * a_upper_x - p.l_c1 * p.l_c1 * shoulder_ddot);
     // derivatives with respect to m_2
     let by_m_2_1 = l_c2_slopes_4 - slopes_1_l_c2_sq;
-    let by_m_2_2 = slopes_1_l_c2_sq - l_c2_slopes_4 + slopes_8 + l_elbow_shoulder * by_m_2_1;
-    let d_shoulder_ddot_by_m_2 = -inv_shoulder * by_m_2_2;
+    let d_shoulder_ddot_by_m_2 = -inv_shoulder * (slopes_9 + l_elbow_shoulder * by_m_2_1);
     let d_elbow_ddot_by_m_2 = inv_elbow * by_m_2_1 - l_elbow_shoulder * d_shoulder_ddot_by_m_2;
     // derivatives with respect to l_1
-    let by_l_1_1 = l_elbow_shoulder * mc_lower_z_slopes_9 - mc_lower_z_slopes_9 - slopes_6 - slopes_11;
-    let d_shoulder_ddot_by_l_1 = inv_shoulder * by_l_1_1;
-    let d_elbow_ddot_by_l_1 = -inv_elbow * mc_lower_z_slopes_9 - l_elbow_shoulder * d_shoulder_ddot_by_l_1;
+    let d_shoulder_ddot_by_l_1 = inv_shoulder * (l_elbow_shoulder * mc_lower_z_slopes_10 - slopes_13);
+    let d_elbow_ddot_by_l_1 = -inv_elbow * mc_lower_z_slopes_10 - l_elbow_shoulder * d_shoulder_ddot_by_l_1;
     // derivatives with respect to l_c1
     let d_shoulder_ddot_by_l_c1 = inv_shoulder * (-p.m_1 * a_upper_x - 2.0 * shoulder_ddot * mc_upper_z);
     // derivatives with respect to l_c2
     let by_l_c2_1 = m_2_slopes_4 - two_slopes_1_mc_lower_z;
-    let d_shoulder_ddot_by_l_c2 = -inv_shoulder * (slopes_13 + l_elbow_shoulder * by_l_c2_1);
+    let d_shoulder_ddot_by_l_c2 = -inv_shoulder * (slopes_15 + l_elbow_shoulder * by_l_c2_1);
     let d_elbow_ddot_by_l_c2 = inv_elbow * by_l_c2_1 - l_elbow_shoulder * d_shoulder_ddot_by_l_c2;
     // derivatives with respect to I_1
     let d_shoulder_ddot_by_I_1 = -inv_shoulder * shoulder_ddot;
@@ -669,16 +668,34 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 12], // elbow'
         // shoulder''
         Parameters {
-            m_1: d_shoulder_ddot_by_m_1, m_2: d_shoulder_ddot_by_m_2, l_1: d_shoulder_ddot_by_l_1, l_c1: d_shoulder_ddot_by_l_c1,
-            l_c2: d_shoulder_ddot_by_l_c2, I_1: d_shoulder_ddot_by_I_1, I_2: d_shoulder_ddot_by_I_2, c_1: d_shoulder_ddot_by_c_1,
-            c_2: d_shoulder_ddot_by_c_2, g: d_shoulder_ddot_by_g,
-        ..Parameters::ZERO }.to_array(),
+            m_1: d_shoulder_ddot_by_m_1,
+            m_2: d_shoulder_ddot_by_m_2,
+            l_1: d_shoulder_ddot_by_l_1,
+            l_c1: d_shoulder_ddot_by_l_c1,
+            l_c2: d_shoulder_ddot_by_l_c2,
+            I_1: d_shoulder_ddot_by_I_1,
+            I_2: d_shoulder_ddot_by_I_2,
+            c_1: d_shoulder_ddot_by_c_1,
+            c_2: d_shoulder_ddot_by_c_2,
+            g: d_shoulder_ddot_by_g,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // elbow''
         Parameters {
-            m_1: -l_elbow_shoulder * d_shoulder_ddot_by_m_1, m_2: d_elbow_ddot_by_m_2, l_1: d_elbow_ddot_by_l_1,
-            l_c1: -l_elbow_shoulder * d_shoulder_ddot_by_l_c1, l_c2: d_elbow_ddot_by_l_c2, I_1: -l_elbow_shoulder * d_shoulder_ddot_by_I_1,
-            I_2: d_elbow_ddot_by_I_2, c_1: -l_elbow_shoulder * d_shoulder_ddot_by_c_1, c_2: d_elbow_ddot_by_c_2, g: d_elbow_ddot_by_g,
-        ..Parameters::ZERO }.to_array(),
+            m_1: -l_elbow_shoulder * d_shoulder_ddot_by_m_1,
+            m_2: d_elbow_ddot_by_m_2,
+            l_1: d_elbow_ddot_by_l_1,
+            l_c1: -l_elbow_shoulder * d_shoulder_ddot_by_l_c1,
+            l_c2: d_elbow_ddot_by_l_c2,
+            I_1: -l_elbow_shoulder * d_shoulder_ddot_by_I_1,
+            I_2: d_elbow_ddot_by_I_2,
+            c_1: -l_elbow_shoulder * d_shoulder_ddot_by_c_1,
+            c_2: d_elbow_ddot_by_c_2,
+            g: d_elbow_ddot_by_g,
+            ..Parameters::ZERO
+        }
+        .to_array(),
     ])
 }
 
@@ -760,7 +777,7 @@ impl Model for Acrobot {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -768,8 +785,8 @@ impl Model for Acrobot {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 2, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 2, &a.to_array());
         Ok(())
     }
 
@@ -778,9 +795,9 @@ impl Model for Acrobot {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -788,22 +805,22 @@ impl Model for Acrobot {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

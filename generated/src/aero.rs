@@ -269,7 +269,6 @@ pub fn mass_matrix(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 2] {
     let c_pitch = cos(q.pitch);
     let I_rod = p.m_rod * p.l_t * p.l_t / 12.0;
     let I_y = p.m_y * p.r_y * p.r_y / 2.0;
-    // body main_rotor on beam
     let d_t_d_t_m_pa_plus_m_e = p.d_t * p.d_t * (p.m_pa + p.m_e);
     // frame beam on yoke
     let I_beam_zz = d_t_d_t_m_pa_plus_m_e + I_rod + d_t_d_t_m_pa_plus_m_e;
@@ -285,22 +284,21 @@ pub fn mass_matrix(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 2] {
 pub fn bias(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2] {
     let (s_pitch, c_pitch) = sin_cos(q.pitch);
     let I_rod = p.m_rod * p.l_t * p.l_t / 12.0;
-    // body main_rotor on beam
     let d_t_d_t_m_pa_plus_m_e = p.d_t * p.d_t * (p.m_pa + p.m_e);
     // frame beam on yoke
     let I_beam_zz = d_t_d_t_m_pa_plus_m_e + I_rod + d_t_d_t_m_pa_plus_m_e;
     let omega_beam_z = c_pitch * v.yaw;
     let omega_beam_x = s_pitch * v.yaw;
-    let n_beam_z = -2.0 * I_beam_zz * omega_beam_x * v.pitch;
+    let n_moving_beam_z = -2.0 * I_beam_zz * omega_beam_x * v.pitch;
     // body hanging on beam
     let mc_beam_z = -p.m_e * p.d_x;
     let I_beam_xx = -p.d_x * mc_beam_z;
     // frame beam on yoke
-    let n_beam_y = omega_beam_z * omega_beam_x * (I_beam_xx - I_beam_zz);
-    let n_beam_x = 2.0 * I_beam_xx * omega_beam_z * v.pitch;
-    let n_yoke_z = n_beam_z * c_pitch + n_beam_x * s_pitch;
-    let h_pitch = -p.g * mc_beam_z * s_pitch - n_beam_y;
-    [n_yoke_z, h_pitch]
+    let n_moving_beam_y = omega_beam_z * omega_beam_x * (I_beam_xx - I_beam_zz);
+    let n_moving_beam_x = 2.0 * I_beam_xx * omega_beam_z * v.pitch;
+    let n_moving_yoke_z = n_moving_beam_z * c_pitch + n_moving_beam_x * s_pitch;
+    let h_pitch = -p.g * mc_beam_z * s_pitch - n_moving_beam_y;
+    [n_moving_yoke_z, h_pitch]
 }
 
 /// Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (yaw, pitch).
@@ -308,27 +306,25 @@ pub fn bias(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2] {
 pub fn velocity_products(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2] {
     let (s_pitch, c_pitch) = sin_cos(q.pitch);
     let I_rod = p.m_rod * p.l_t * p.l_t / 12.0;
-    // body main_rotor on beam
     let d_t_d_t_m_pa_plus_m_e = p.d_t * p.d_t * (p.m_pa + p.m_e);
     // frame beam on yoke
     let I_beam_zz = d_t_d_t_m_pa_plus_m_e + I_rod + d_t_d_t_m_pa_plus_m_e;
     let omega_beam_z = c_pitch * v.yaw;
     let omega_beam_x = s_pitch * v.yaw;
-    let n_beam_z = -2.0 * I_beam_zz * omega_beam_x * v.pitch;
+    let n_moving_beam_z = -2.0 * I_beam_zz * omega_beam_x * v.pitch;
     // body hanging on beam
     let I_beam_xx = p.m_e * p.d_x * p.d_x;
     // frame beam on yoke
-    let n_beam_y = omega_beam_z * omega_beam_x * (I_beam_xx - I_beam_zz);
-    let n_beam_x = 2.0 * I_beam_xx * omega_beam_z * v.pitch;
-    let n_yoke_z = n_beam_z * c_pitch + n_beam_x * s_pitch;
-    [n_yoke_z, -n_beam_y]
+    let n_moving_beam_y = omega_beam_z * omega_beam_x * (I_beam_xx - I_beam_zz);
+    let n_moving_beam_x = 2.0 * I_beam_xx * omega_beam_z * v.pitch;
+    let n_moving_yoke_z = n_moving_beam_z * c_pitch + n_moving_beam_x * s_pitch;
+    [n_moving_yoke_z, -n_moving_beam_y]
 }
 
 /// Generalized gravity g(q) [N m]: what holds the rig still; rows (yaw, pitch).
 #[must_use]
 pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 2] {
     let s_pitch = sin(q.pitch);
-    // gravity
     let g_pitch = p.m_e * p.d_x * p.g * s_pitch;
     [0.0, g_pitch]
 }
@@ -345,14 +341,13 @@ pub fn generalized_force(q: &Coordinates, u: &Inputs, p: &Parameters) -> [f64; 2
     let c_pitch = cos(q.pitch);
     let w_m = p.K_omega * u.V_m;
     let w_t = p.K_omega * u.V_t;
-    // force lift on beam
     let abs_w_m = abs(w_m);
-    // force push on beam
     let abs_w_t = abs(w_t);
-    let n_beam_z = p.d_t * p.K_tail * w_t * abs_w_t - p.d_t * p.D_main * abs_w_m * w_m;
+    // force push on beam
+    let n_applied_beam_z = p.d_t * p.K_tail * w_t * abs_w_t - p.d_t * p.D_main * abs_w_m * w_m;
     // torque drag_tail on beam
-    let n_beam_y = -p.d_t * p.K_main * w_m * abs_w_m - p.d_t * p.D_tail * abs_w_t * w_t;
-    [n_beam_z * c_pitch, -n_beam_y]
+    let n_applied_beam_y = -p.d_t * p.K_main * w_m * abs_w_m - p.d_t * p.D_tail * abs_w_t * w_t;
+    [n_applied_beam_z * c_pitch, -n_applied_beam_y]
 }
 
 /// Input map dQ/du, 2 x 2; rows (yaw, pitch), columns (V_m, V_t).
@@ -361,25 +356,22 @@ pub fn input_map(q: &Coordinates, u: &Inputs, p: &Parameters) -> [[f64; 2]; 2] {
     let c_pitch = cos(q.pitch);
     let w_m = p.K_omega * u.V_m;
     let w_t = p.K_omega * u.V_t;
-    // force lift on beam
     let abs_w_m = abs(w_m);
-    // torque drag_main on beam
     let d_t_D_main = p.d_t * p.D_main;
-    // force push on beam
     let abs_w_t = abs(w_t);
-    // torque drag_tail on beam
     let d_t_D_tail = p.d_t * p.D_tail;
-    // input map
     let K_omega_sign_w_m = p.K_omega * sign(w_m);
-    let input_map_1 = w_m * d_t_D_main * K_omega_sign_w_m + p.K_omega * abs_w_m * d_t_D_main;
+    let K_omega_abs_w_m_d_t_D_main = p.K_omega * abs_w_m * d_t_D_main;
     let K_omega_sign_w_t = p.K_omega * sign(w_t);
-    let input_map_2 = p.d_t * (p.K_omega * p.K_tail * abs_w_t + p.K_tail * w_t * K_omega_sign_w_t);
+    // input map
+    let input_map_1 = p.d_t * (p.K_omega * p.K_tail * abs_w_t + p.K_tail * w_t * K_omega_sign_w_t);
+    let K_omega_abs_w_t_d_t_D_tail = p.K_omega * abs_w_t * d_t_D_tail;
     [
-        [-input_map_1 * c_pitch, input_map_2 * c_pitch], // yaw
+        [-c_pitch * (w_m * d_t_D_main * K_omega_sign_w_m + K_omega_abs_w_m_d_t_D_main), input_map_1 * c_pitch], // yaw
         // pitch
         [
             p.d_t * (p.K_omega * p.K_main * abs_w_m + p.K_main * w_m * K_omega_sign_w_m),
-            w_t * d_t_D_tail * K_omega_sign_w_t + p.K_omega * abs_w_t * d_t_D_tail,
+            w_t * d_t_D_tail * K_omega_sign_w_t + K_omega_abs_w_t_d_t_D_tail,
         ],
     ]
 }
@@ -393,19 +385,17 @@ pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     // frame beam on yoke
     let omega_beam_z = c_pitch * v.yaw;
     // body rod on beam
-    let rod_1 = 0.5 * (I_rod * v.pitch * v.pitch + omega_beam_z * I_rod * omega_beam_z);
-    // body main_rotor on beam
+    let rod_1 = 0.5 * I_y * v.yaw * v.yaw + 0.5 * (I_rod * v.pitch * v.pitch + omega_beam_z * I_rod * omega_beam_z);
     let d_t_omega_beam_z = p.d_t * omega_beam_z;
     let d_t_pitch_dot = p.d_t * v.pitch;
-    let main_rotor_1 = (p.m_pa + p.m_e) * (d_t_omega_beam_z * d_t_omega_beam_z + d_t_pitch_dot * d_t_pitch_dot);
-    let half_main_rotor_1 = 0.5 * main_rotor_1;
-    // body tail_rotor on beam
-    let tail_rotor_1 = half_main_rotor_1 + 0.5 * I_y * v.yaw * v.yaw + rod_1 + half_main_rotor_1;
-    // body hanging on beam
+    // body main_rotor on beam
+    let main_rotor_1 = d_t_omega_beam_z * d_t_omega_beam_z + d_t_pitch_dot * d_t_pitch_dot;
+    let main_rotor_2 = 0.5 * main_rotor_1 * (p.m_pa + p.m_e);
     let d_x_pitch_dot = p.d_x * v.pitch;
     let d_x_s_pitch_yaw_dot = p.d_x * s_pitch * v.yaw;
+    // body hanging on beam
     let hanging_1 = 0.5 * p.m_e * (d_x_pitch_dot * d_x_pitch_dot + d_x_s_pitch_yaw_dot * d_x_s_pitch_yaw_dot);
-    tail_rotor_1 + hanging_1
+    main_rotor_2 + rod_1 + main_rotor_2 + hanging_1
 }
 
 /// Potential energy V(q) [J]: gravity and springs.
@@ -425,7 +415,6 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let I_y = p.m_y * p.r_y * p.r_y / 2.0;
     let w_m = p.K_omega * u.V_m;
     let w_t = p.K_omega * u.V_t;
-    // body main_rotor on beam
     let d_t_d_t_m_pa_plus_m_e = p.d_t * p.d_t * (p.m_pa + p.m_e);
     // frame beam on yoke
     let I_beam_zz = d_t_d_t_m_pa_plus_m_e + I_rod + d_t_d_t_m_pa_plus_m_e;
@@ -433,24 +422,24 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let omega_beam_x = s_pitch * v.yaw;
     let alpha_beam_x = omega_beam_z * v.pitch;
     let alpha_beam_z = -omega_beam_x * v.pitch;
-    let beam_1 = I_beam_zz * (c_pitch * a.yaw + alpha_beam_z) + I_beam_zz * alpha_beam_z;
     // body hanging on beam
     let mc_beam_z = -p.m_e * p.d_x;
     let I_beam_xx = -p.d_x * mc_beam_z;
     // frame beam on yoke
-    let n_beam_y = omega_beam_z * omega_beam_x * (I_beam_xx - I_beam_zz);
-    let n_beam_x = I_beam_xx * alpha_beam_x + I_beam_xx * (alpha_beam_x + s_pitch * a.yaw);
-    let beam_2 = n_beam_y - a.pitch * (I_beam_zz + I_beam_xx) + p.g * mc_beam_z * s_pitch;
-    // force lift on beam
+    let n_moving_beam_y = omega_beam_z * omega_beam_x * (I_beam_xx - I_beam_zz);
+    let n_net_beam_x = I_beam_xx * alpha_beam_x + I_beam_xx * (alpha_beam_x + s_pitch * a.yaw);
+    let beam_1 = n_moving_beam_y - a.pitch * (I_beam_zz + I_beam_xx) + p.g * mc_beam_z * s_pitch;
     let abs_w_m = abs(w_m);
-    // force push on beam
     let abs_w_t = abs(w_t);
-    let n_beam_z = p.d_t * p.K_tail * w_t * abs_w_t - p.d_t * p.D_main * abs_w_m * w_m;
+    // force push on beam
+    let n_applied_beam_z = p.d_t * p.K_tail * w_t * abs_w_t - p.d_t * p.D_main * abs_w_m * w_m;
     // torque drag_tail on beam
-    let n_beam_y_2 = -p.d_t * p.K_main * w_m * abs_w_m - p.d_t * p.D_tail * abs_w_t * w_t;
+    let n_applied_beam_y = -p.d_t * p.K_main * w_m * abs_w_m - p.d_t * p.D_tail * abs_w_t * w_t;
+    // frame beam on yoke
+    let n_net_beam_z = I_beam_zz * (c_pitch * a.yaw + alpha_beam_z) + I_beam_zz * alpha_beam_z - n_applied_beam_z;
     // frame yoke on ground
-    let n_yoke_z = I_y * a.yaw + c_pitch * (beam_1 - n_beam_z) + n_beam_x * s_pitch;
-    [p.c_yaw * v.yaw + n_yoke_z, p.c_pitch * v.pitch + n_beam_y_2 - beam_2]
+    let n_net_yoke_z = I_y * a.yaw + n_net_beam_z * c_pitch + n_net_beam_x * s_pitch;
+    [p.c_yaw * v.yaw + n_net_yoke_z, p.c_pitch * v.pitch + n_applied_beam_y - beam_1]
 }
 
 /// Measured outputs y(x), with scale and bias, without delay and quantization.
@@ -472,36 +461,34 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let I_y = p.m_y * p.r_y * p.r_y / 2.0;
     let w_m = p.K_omega * u.V_m;
     let w_t = p.K_omega * u.V_t;
-    // body main_rotor on beam
     let d_t_d_t_m_pa_plus_m_e = p.d_t * p.d_t * (p.m_pa + p.m_e);
     // frame beam on yoke
     let I_beam_zz = d_t_d_t_m_pa_plus_m_e + I_rod + d_t_d_t_m_pa_plus_m_e;
     let omega_beam_z = c_pitch * v.yaw;
     let omega_beam_x = s_pitch * v.yaw;
-    let n_beam_z = -2.0 * I_beam_zz * omega_beam_x * v.pitch;
+    let n_moving_beam_z = -2.0 * I_beam_zz * omega_beam_x * v.pitch;
     // body hanging on beam
     let mc_beam_z = -p.m_e * p.d_x;
     let I_beam_xx = -p.d_x * mc_beam_z;
     // frame beam on yoke
     let I_beam_yy = I_beam_zz + I_beam_xx;
-    let n_beam_y = omega_beam_z * omega_beam_x * (I_beam_xx - I_beam_zz);
-    let n_beam_x = 2.0 * I_beam_xx * omega_beam_z * v.pitch;
-    let n_beam_y_2 = n_beam_y + p.g * mc_beam_z * s_pitch;
+    let n_moving_beam_y = omega_beam_z * omega_beam_x * (I_beam_xx - I_beam_zz);
+    let n_moving_beam_x = 2.0 * I_beam_xx * omega_beam_z * v.pitch;
+    let n_beam_y = n_moving_beam_y + p.g * mc_beam_z * s_pitch;
     // frame yoke on ground
     let M_yaw_yaw = I_y + I_beam_xx + c_pitch * c_pitch * (I_beam_zz - I_beam_xx);
-    // force lift on beam
     let abs_w_m = abs(w_m);
-    // force push on beam
     let abs_w_t = abs(w_t);
-    let n_beam_z_2 = p.d_t * p.K_tail * w_t * abs_w_t - p.d_t * p.D_main * abs_w_m * w_m;
+    // force push on beam
+    let n_applied_beam_z = p.d_t * p.K_tail * w_t * abs_w_t - p.d_t * p.D_main * abs_w_m * w_m;
     // torque drag_tail on beam
-    let n_beam_y_3 = -p.d_t * p.K_main * w_m * abs_w_m - p.d_t * p.D_tail * abs_w_t * w_t;
+    let n_applied_beam_y = -p.d_t * p.K_main * w_m * abs_w_m - p.d_t * p.D_tail * abs_w_t * w_t;
     // frame beam on yoke
-    let n_yoke_z = n_beam_x * s_pitch + c_pitch * (n_beam_z - n_beam_z_2);
+    let n_net_yoke_z = n_moving_beam_x * s_pitch + c_pitch * (n_moving_beam_z - n_applied_beam_z);
     // balance of forces
-    let tau_pitch = n_beam_y_2 - n_beam_y_3 - p.c_pitch * v.pitch;
+    let tau_pitch = n_beam_y - n_applied_beam_y - p.c_pitch * v.pitch;
     // M = L^T D L and back-substitution
-    let yaw_ddot = -(p.c_yaw * v.yaw + n_yoke_z) / M_yaw_yaw;
+    let yaw_ddot = -(p.c_yaw * v.yaw + n_net_yoke_z) / M_yaw_yaw;
     positive(I_beam_yy, 1)?;
     positive(M_yaw_yaw, 0)?;
     Ok(Accelerations::from_array([yaw_ddot, tau_pitch / I_beam_yy]))
@@ -539,7 +526,6 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let I_y = p.m_y * p.r_y * p.r_y / 2.0;
     let w_m = p.K_omega * u.V_m;
     let w_t = p.K_omega * u.V_t;
-    // body main_rotor on beam
     let d_t_d_t_m_pa_plus_m_e = p.d_t * p.d_t * (p.m_pa + p.m_e);
     // frame beam on yoke
     let I_beam_zz = d_t_d_t_m_pa_plus_m_e + I_rod + d_t_d_t_m_pa_plus_m_e;
@@ -558,31 +544,29 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let n_beam_y = omega_beam_z * omega_beam_x * I_beam_xx_minus_I_beam_zz + p.g * mc_beam_z * s_pitch;
     // frame yoke on ground
     let M_yaw_yaw = I_y + I_beam_xx + c_pitch * c_pitch * (I_beam_zz - I_beam_xx);
-    // force lift on beam
     let K_main_w_m = p.K_main * w_m;
     let abs_w_m = abs(w_m);
-    // torque drag_main on beam
     let d_t_D_main = p.d_t * p.D_main;
     let w_m_d_t_D_main = w_m * d_t_D_main;
-    // force push on beam
     let K_tail_w_t = p.K_tail * w_t;
     let abs_w_t = abs(w_t);
-    let n_beam_z = p.d_t * K_tail_w_t * abs_w_t - abs_w_m * w_m_d_t_D_main;
-    // torque drag_tail on beam
+    // force push on beam
+    let n_applied_beam_z = p.d_t * K_tail_w_t * abs_w_t - abs_w_m * w_m_d_t_D_main;
     let d_t_D_tail = p.d_t * p.D_tail;
     let w_t_d_t_D_tail = w_t * d_t_D_tail;
-    let n_beam_y_2 = -p.d_t * K_main_w_m * abs_w_m - abs_w_t * w_t_d_t_D_tail;
+    // torque drag_tail on beam
+    let n_applied_beam_y = -p.d_t * K_main_w_m * abs_w_m - abs_w_t * w_t_d_t_D_tail;
     // frame beam on yoke
-    let beam_1 = c_pitch * (2.0 * I_beam_zz_alpha_beam_z - n_beam_z);
-    let n_yoke_z = 2.0 * I_beam_xx_alpha_beam_x * s_pitch + beam_1;
+    let beam_1 = c_pitch * (2.0 * I_beam_zz_alpha_beam_z - n_applied_beam_z);
+    let n_net_yoke_z = 2.0 * I_beam_xx_alpha_beam_x * s_pitch + beam_1;
     // balance of forces
-    let tau_pitch = n_beam_y - n_beam_y_2 - p.c_pitch * v.pitch;
+    let tau_pitch = n_beam_y - n_applied_beam_y - p.c_pitch * v.pitch;
     // M = L^T D L and back-substitution
     let inv_pitch = 1.0 / I_beam_yy;
     let inv_yaw = 1.0 / M_yaw_yaw;
-    let yaw_ddot = -inv_yaw * (p.c_yaw * v.yaw + n_yoke_z);
-    // input map
+    let yaw_ddot = -inv_yaw * (p.c_yaw * v.yaw + n_net_yoke_z);
     let K_omega_sign_w_m = p.K_omega * sign(w_m);
+    // input map
     let input_map_1 = p.d_t * (p.K_omega * p.K_main * abs_w_m + K_main_w_m * K_omega_sign_w_m);
     let input_map_2 = w_m_d_t_D_main * K_omega_sign_w_m + p.K_omega * abs_w_m * d_t_D_main;
     let K_omega_sign_w_t = p.K_omega * sign(w_t);
@@ -601,12 +585,10 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // slopes of the balance of forces, at the accelerations found
     let slopes_1 = alpha_beam_x + yaw_ddot * s_pitch;
     let slopes_2 = alpha_beam_z + yaw_ddot * c_pitch;
-    let slopes_3 = s_pitch * (n_beam_z - I_beam_zz_alpha_beam_z - I_beam_zz * slopes_2);
-    let slopes_4 = c_pitch * (I_beam_zz * alpha_beam_x + I_beam_zz * slopes_1);
+    let slopes_3 = s_pitch * (n_applied_beam_z - I_beam_zz_alpha_beam_z - I_beam_zz * slopes_2);
+    let slopes_4 = c_pitch * (I_beam_zz * alpha_beam_x + I_beam_zz * slopes_1) - slopes_3;
     let slopes_5 = s_pitch * (-I_beam_xx * alpha_beam_z - I_beam_xx * slopes_2);
     let slopes_6 = c_pitch * (I_beam_xx_alpha_beam_x + I_beam_xx * slopes_1) - slopes_5;
-    // derivatives with respect to pitch
-    let d_yaw_ddot_by_pitch = inv_yaw * (slopes_4 - slopes_3 - slopes_6);
     positive(I_beam_yy, 1)?;
     positive(M_yaw_yaw, 0)?;
     Ok(Linearization {
@@ -614,7 +596,7 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
         a: [
             [0.0, 0.0, 1.0, 0.0], // yaw'
             [0.0, 0.0, 0.0, 1.0], // pitch'
-            [0.0, d_yaw_ddot_by_pitch, -inv_yaw * by_yaw_dot_3, d_yaw_ddot_by_pitch_dot], // yaw''
+            [0.0, inv_yaw * (slopes_4 - slopes_6), -inv_yaw * by_yaw_dot_3, d_yaw_ddot_by_pitch_dot], // yaw''
             [0.0, d_pitch_ddot_by_pitch, inv_pitch * by_yaw_dot_1, -p.c_pitch * inv_pitch], // pitch''
         ],
         b: [
@@ -637,7 +619,6 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let r_y_sq = p.r_y * p.r_y;
     let w_m = p.K_omega * u.V_m;
     let w_t = p.K_omega * u.V_t;
-    // body main_rotor on beam
     let d_t_m_pa_plus_m_e = p.d_t * (p.m_pa + p.m_e);
     let d_t_d_t_m_pa_plus_m_e = p.d_t * d_t_m_pa_plus_m_e;
     // frame beam on yoke
@@ -657,56 +638,54 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let beam_1 = I_beam_xx + c_pitch * c_pitch * (I_beam_zz - I_beam_xx);
     // frame yoke on ground
     let M_yaw_yaw = p.m_y * r_y_sq / 2.0 + beam_1;
-    // force lift on beam
     let K_main_w_m = p.K_main * w_m;
     let abs_w_m = abs(w_m);
-    let f_beam_z = K_main_w_m * abs_w_m;
-    // torque drag_main on beam
+    // force lift on beam
+    let f_applied_beam_z = K_main_w_m * abs_w_m;
     let d_t_D_main = p.d_t * p.D_main;
     let w_m_d_t_D_main = w_m * d_t_D_main;
-    // force push on beam
     let K_tail_w_t = p.K_tail * w_t;
     let abs_w_t = abs(w_t);
-    let f_beam_y = -K_tail_w_t * abs_w_t;
-    let n_beam_z = -p.d_t * f_beam_y - abs_w_m * w_m_d_t_D_main;
-    // torque drag_tail on beam
+    // force push on beam
+    let f_applied_beam_y = -K_tail_w_t * abs_w_t;
+    let n_applied_beam_z = -p.d_t * f_applied_beam_y - abs_w_m * w_m_d_t_D_main;
     let d_t_D_tail = p.d_t * p.D_tail;
     let w_t_d_t_D_tail = w_t * d_t_D_tail;
-    let n_beam_y_2 = -p.d_t * f_beam_z - abs_w_t * w_t_d_t_D_tail;
+    // torque drag_tail on beam
+    let n_applied_beam_y = -p.d_t * f_applied_beam_z - abs_w_t * w_t_d_t_D_tail;
     // frame beam on yoke
-    let n_beam_z_2 = 2.0 * I_beam_zz * alpha_beam_z - n_beam_z;
-    let n_yoke_z = 2.0 * I_beam_xx * alpha_beam_x * s_pitch + n_beam_z_2 * c_pitch;
+    let n_net_beam_z = 2.0 * I_beam_zz * alpha_beam_z - n_applied_beam_z;
+    let n_net_yoke_z = 2.0 * I_beam_xx * alpha_beam_x * s_pitch + n_net_beam_z * c_pitch;
     // balance of forces
-    let tau_pitch = n_beam_y - n_beam_y_2 - p.c_pitch * v.pitch;
+    let tau_pitch = n_beam_y - n_applied_beam_y - p.c_pitch * v.pitch;
     // M = L^T D L and back-substitution
     let inv_pitch = 1.0 / I_beam_yy;
     let inv_yaw = 1.0 / M_yaw_yaw;
-    let yaw_ddot = -inv_yaw * (p.c_yaw * v.yaw + n_yoke_z);
+    let yaw_ddot = -inv_yaw * (p.c_yaw * v.yaw + n_net_yoke_z);
     let pitch_ddot = tau_pitch * inv_pitch;
     // slopes of the balance of forces, at the accelerations found
     let slopes_1 = alpha_beam_x + yaw_ddot * s_pitch;
     let slopes_2 = alpha_beam_z + yaw_ddot * c_pitch;
-    // derivatives with respect to m_pa
     let d_t_sq = p.d_t * p.d_t;
     let two_d_t_sq = 2.0 * d_t_sq;
+    // derivatives with respect to m_pa
     let d_pitch_ddot_by_m_pa = inv_pitch * (-2.0 * omega_beam_z_omega_beam_x * d_t_sq - pitch_ddot * two_d_t_sq);
-    // derivatives with respect to m_e
     let d_x_sq = p.d_x * p.d_x;
+    // derivatives with respect to m_e
     let by_m_e_1 = omega_beam_z_omega_beam_x * (d_x_sq - two_d_t_sq);
     let by_m_e_2 = by_m_e_1 - pitch_ddot * (two_d_t_sq + d_x_sq) - p.d_x * a_beam_x;
-    // derivatives with respect to m_rod
     let l_t_sq_per_12 = l_t_sq / 12.0;
+    // derivatives with respect to m_rod
     let d_pitch_ddot_by_m_rod = -inv_pitch * (omega_beam_z_omega_beam_x * l_t_sq_per_12 + pitch_ddot * l_t_sq_per_12);
-    // derivatives with respect to d_t
     let four_d_t_m_pa_plus_m_e = 4.0 * d_t_m_pa_plus_m_e;
-    // derivatives with respect to d_x
     let two_mc_beam_z = 2.0 * mc_beam_z;
+    // derivatives with respect to d_x
     let by_d_x_1 = pitch_ddot * two_mc_beam_z - omega_beam_z_omega_beam_x * two_mc_beam_z - p.m_e * a_beam_x;
-    // derivatives with respect to l_t
     let two_m_rod_l_t_per_12 = 2.0 * p.m_rod * p.l_t / 12.0;
+    // derivatives with respect to l_t
     let d_pitch_ddot_by_l_t = -inv_pitch * (omega_beam_z_omega_beam_x * two_m_rod_l_t_per_12 + pitch_ddot * two_m_rod_l_t_per_12);
-    // derivatives with respect to K_omega
     let sign_w_m_V_m = sign(w_m) * u.V_m;
+    // derivatives with respect to K_omega
     let by_K_omega_1 = p.d_t * (p.K_main * abs_w_m * u.V_m + K_main_w_m * sign_w_m_V_m);
     let by_K_omega_2 = w_m_d_t_D_main * sign_w_m_V_m + abs_w_m * d_t_D_main * u.V_m;
     let sign_w_t_V_t = sign(w_t) * u.V_t;
@@ -719,13 +698,13 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let slopes_5 = c_pitch * (-alpha_beam_z * l_t_sq_per_12 - slopes_2 * l_t_sq_per_12);
     let slopes_6 = 4.0 * omega_beam_z_omega_beam_x * d_t_m_pa_plus_m_e + pitch_ddot * four_d_t_m_pa_plus_m_e;
     let slopes_7 = alpha_beam_z * four_d_t_m_pa_plus_m_e + slopes_2 * four_d_t_m_pa_plus_m_e;
-    let slopes_8 = c_pitch * (-f_beam_y - p.D_main * abs_w_m * w_m - slopes_7);
+    let slopes_8 = c_pitch * (-f_applied_beam_y - p.D_main * abs_w_m * w_m - slopes_7);
     let slopes_9 = s_pitch * (-alpha_beam_x * two_mc_beam_z - slopes_1 * two_mc_beam_z);
     let slopes_10 = c_pitch * (-alpha_beam_z * two_m_rod_l_t_per_12 - slopes_2 * two_m_rod_l_t_per_12);
     // derivatives with respect to m_y
     let d_yaw_ddot_by_m_y = -inv_yaw * yaw_ddot * r_y_sq / 2.0;
     // derivatives with respect to d_t
-    let d_pitch_ddot_by_d_t = inv_pitch * (f_beam_z + p.D_tail * abs_w_t * w_t - slopes_6);
+    let d_pitch_ddot_by_d_t = inv_pitch * (f_applied_beam_z + p.D_tail * abs_w_t * w_t - slopes_6);
     // derivatives with respect to r_y
     let d_yaw_ddot_by_r_y = -2.0 * p.m_y * p.r_y * inv_yaw * yaw_ddot / 2.0;
     // derivatives with respect to K_main
@@ -743,17 +722,37 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 16], // pitch'
         // yaw''
         Parameters {
-            m_pa: inv_yaw * slopes_3, m_e: inv_yaw * (slopes_3 - slopes_4), m_rod: inv_yaw * slopes_5, m_y: d_yaw_ddot_by_m_y,
-            d_t: inv_yaw * slopes_8, d_x: -inv_yaw * slopes_9, l_t: inv_yaw * slopes_10, r_y: d_yaw_ddot_by_r_y,
-            K_omega: d_yaw_ddot_by_K_omega, K_tail: d_yaw_ddot_by_K_tail, D_main: d_yaw_ddot_by_D_main, c_yaw: -inv_yaw * v.yaw,
-        ..Parameters::ZERO }.to_array(),
+            m_pa: inv_yaw * slopes_3,
+            m_e: inv_yaw * (slopes_3 - slopes_4),
+            m_rod: inv_yaw * slopes_5,
+            m_y: d_yaw_ddot_by_m_y,
+            d_t: inv_yaw * slopes_8,
+            d_x: -inv_yaw * slopes_9,
+            l_t: inv_yaw * slopes_10,
+            r_y: d_yaw_ddot_by_r_y,
+            K_omega: d_yaw_ddot_by_K_omega,
+            K_tail: d_yaw_ddot_by_K_tail,
+            D_main: d_yaw_ddot_by_D_main,
+            c_yaw: -inv_yaw * v.yaw,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // pitch''
         Parameters {
-            m_pa: d_pitch_ddot_by_m_pa, m_e: inv_pitch * by_m_e_2, m_rod: d_pitch_ddot_by_m_rod, d_t: d_pitch_ddot_by_d_t,
-            d_x: inv_pitch * by_d_x_1, l_t: d_pitch_ddot_by_l_t, g: mc_beam_z * inv_pitch * s_pitch,
-            K_omega: inv_pitch * (by_K_omega_1 + by_K_omega_4), K_main: d_pitch_ddot_by_K_main, D_tail: d_pitch_ddot_by_D_tail,
+            m_pa: d_pitch_ddot_by_m_pa,
+            m_e: inv_pitch * by_m_e_2,
+            m_rod: d_pitch_ddot_by_m_rod,
+            d_t: d_pitch_ddot_by_d_t,
+            d_x: inv_pitch * by_d_x_1,
+            l_t: d_pitch_ddot_by_l_t,
+            g: mc_beam_z * inv_pitch * s_pitch,
+            K_omega: inv_pitch * (by_K_omega_1 + by_K_omega_4),
+            K_main: d_pitch_ddot_by_K_main,
+            D_tail: d_pitch_ddot_by_D_tail,
             c_pitch: -inv_pitch * v.pitch,
-        ..Parameters::ZERO }.to_array(),
+            ..Parameters::ZERO
+        }
+        .to_array(),
     ])
 }
 
@@ -839,7 +838,7 @@ impl Model for Aero {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -847,8 +846,8 @@ impl Model for Aero {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 2, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 2, &a.to_array());
         Ok(())
     }
 
@@ -857,9 +856,9 @@ impl Model for Aero {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -867,22 +866,22 @@ impl Model for Aero {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

@@ -1,10 +1,10 @@
 //! Cart and pole.
-//! Generated from `cart_pole.rig` (model 845001bf); edit the rig, not this file.
+//! Generated from `cart_pole.rig` (model eaaaff00); edit the rig, not this file.
 //!
 //! The numbers of gymnasium's CartPole (cart 1 kg, pole 0.1 kg, half length 0.5 m), with the pole a
 //! uniform rod. theta = 0 is upright, positive towards +x.
 //!
-//! 34 operations forward, 70 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 33 operations forward, 64 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]
@@ -322,8 +322,8 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.x, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
-/// 34 operations.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/// 33 operations.
 ///
 /// # Errors
 /// [`Singular`] where the mass matrix is not positive definite.
@@ -333,22 +333,21 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let J = p.m_p * p.l * p.l / 3.0;
     // body rod on pole
     let mc_pole_z = p.m_p * p.l;
+    let I_pole_xx = J + p.l * mc_pole_z;
     // frame pole on rail
     let a_pole_x = -p.g * s_theta;
+    let n_weight_pole_y = mc_pole_z * a_pole_x;
     let f_pole_z = p.m_p * p.g * c_theta - mc_pole_z * v.theta * v.theta;
     let f_rail_x = f_pole_z * s_theta + p.m_p * a_pole_x * c_theta;
-    // frame rail on ground
-    let M_x_x = p.m_c + p.m_p;
-    // balance of forces
-    let tau_x = u.F - f_rail_x;
-    // M = L D L^T and back-substitution
-    let inv_x = 1.0 / M_x_x;
-    let l_theta_x = mc_pole_z * inv_x * c_theta;
-    let pivot_theta = J + p.l * mc_pole_z - l_theta_x * M_x_x * l_theta_x;
-    let theta_ddot = (-mc_pole_z * a_pole_x - tau_x * l_theta_x) / pivot_theta;
-    let x_ddot = tau_x * inv_x - l_theta_x * theta_ddot;
-    positive(M_x_x, 0)?;
-    positive(pivot_theta, 1)?;
+    let M_x_theta = mc_pole_z * c_theta;
+    // M = L^T D L and back-substitution
+    let inv_theta = 1.0 / I_pole_xx;
+    let l_theta_x = M_x_theta * inv_theta;
+    let pivot_x = p.m_c + p.m_p - M_x_theta * l_theta_x;
+    let x_ddot = (u.F - f_rail_x + n_weight_pole_y * l_theta_x) / pivot_x;
+    let theta_ddot = -n_weight_pole_y * inv_theta - l_theta_x * x_ddot;
+    positive(I_pole_xx, 1)?;
+    positive(pivot_x, 0)?;
     Ok(Accelerations::from_array([x_ddot, theta_ddot]))
 }
 
@@ -364,7 +363,7 @@ pub struct Linearization {
 }
 
 /// State derivative and its Jacobians A, B, exact, at any state.
-/// 70 operations.
+/// 64 operations.
 ///
 /// Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
 /// ```text
@@ -383,50 +382,46 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let J = p.m_p * p.l * p.l / 3.0;
     // body rod on pole
     let mc_pole_z = p.m_p * p.l;
+    let I_pole_xx = J + p.l * mc_pole_z;
     // frame pole on rail
     let f_moving_pole_z = -mc_pole_z * v.theta * v.theta;
     let a_pole_z = p.g * c_theta;
     let a_pole_x = -p.g * s_theta;
+    let n_weight_pole_y = mc_pole_z * a_pole_x;
     let f_rail_x = s_theta * (p.m_p * a_pole_z + f_moving_pole_z) + p.m_p * a_pole_x * c_theta;
-    // frame rail on ground
-    let M_x_x = p.m_c + p.m_p;
-    // balance of forces
-    let tau_x = u.F - f_rail_x;
-    // M = L D L^T and back-substitution
-    let inv_x = 1.0 / M_x_x;
-    let l_theta_x = mc_pole_z * inv_x * c_theta;
-    let pivot_theta = J + p.l * mc_pole_z - l_theta_x * M_x_x * l_theta_x;
-    let inv_theta = 1.0 / pivot_theta;
-    let theta_ddot = inv_theta * (-mc_pole_z * a_pole_x - tau_x * l_theta_x);
-    let x_ddot = tau_x * inv_x - l_theta_x * theta_ddot;
-    // derivatives with respect to theta_dot
-    let by_theta_dot_1 = 2.0 * mc_pole_z * s_theta * v.theta;
-    let d_theta_ddot_by_theta_dot = -inv_theta * l_theta_x * by_theta_dot_1;
-    let d_x_ddot_by_theta_dot = inv_x * by_theta_dot_1 - l_theta_x * d_theta_ddot_by_theta_dot;
+    let M_x_theta = mc_pole_z * c_theta;
+    // M = L^T D L and back-substitution
+    let inv_theta = 1.0 / I_pole_xx;
+    let l_theta_x = M_x_theta * inv_theta;
+    let pivot_x = p.m_c + p.m_p - M_x_theta * l_theta_x;
+    let inv_x = 1.0 / pivot_x;
+    let x_ddot = inv_x * (u.F - f_rail_x + n_weight_pole_y * l_theta_x);
+    let theta_ddot = -n_weight_pole_y * inv_theta - l_theta_x * x_ddot;
     let a_pole_z_plus_x_ddot_s_theta = a_pole_z + x_ddot * s_theta;
     // slopes of the balance of forces, at the accelerations found
     let slopes_1 = p.m_p * (x_ddot * c_theta + a_pole_x);
     let slopes_2 = p.m_p * a_pole_z_plus_x_ddot_s_theta;
     let slopes_3 = c_theta * (slopes_2 + f_moving_pole_z);
     let slopes_4 = s_theta * (slopes_1 + mc_pole_z * theta_ddot);
-    let slopes_5 = slopes_3 + slopes_1 * s_theta;
+    let slopes_5 = mc_pole_z * a_pole_z_plus_x_ddot_s_theta;
+    let slopes_6 = slopes_3 + slopes_1 * s_theta;
     // derivatives with respect to theta
-    let by_theta_1 = slopes_4 + slopes_2 * c_theta - slopes_5;
-    let d_theta_ddot_by_theta = inv_theta * (mc_pole_z * a_pole_z_plus_x_ddot_s_theta - l_theta_x * by_theta_1);
-    let d_x_ddot_by_theta = inv_x * by_theta_1 - l_theta_x * d_theta_ddot_by_theta;
-    // derivatives with respect to F
-    let d_theta_ddot_by_F = -l_theta_x * inv_theta;
-    positive(M_x_x, 0)?;
-    positive(pivot_theta, 1)?;
+    let by_theta_1 = slopes_4 + slopes_2 * c_theta - slopes_6;
+    let d_x_ddot_by_theta = inv_x * (by_theta_1 - l_theta_x * slopes_5);
+    let d_theta_ddot_by_theta = inv_theta * slopes_5 - l_theta_x * d_x_ddot_by_theta;
+    // derivatives with respect to theta_dot
+    let d_x_ddot_by_theta_dot = 2.0 * inv_x * mc_pole_z * s_theta * v.theta;
+    positive(I_pole_xx, 1)?;
+    positive(pivot_x, 0)?;
     Ok(Linearization {
         dx: [v.x, v.theta, x_ddot, theta_ddot],
         a: [
             [0.0, 0.0, 1.0, 0.0], // x'
             [0.0, 0.0, 0.0, 1.0], // theta'
             [0.0, d_x_ddot_by_theta, 0.0, d_x_ddot_by_theta_dot], // x''
-            [0.0, d_theta_ddot_by_theta, 0.0, d_theta_ddot_by_theta_dot], // theta''
+            [0.0, d_theta_ddot_by_theta, 0.0, -l_theta_x * d_x_ddot_by_theta_dot], // theta''
         ],
-        b: [[0.0], [0.0], [inv_x - l_theta_x * d_theta_ddot_by_F], [d_theta_ddot_by_F]],
+        b: [[0.0], [0.0], [inv_x], [-l_theta_x * inv_x]],
     })
 }
 
@@ -445,21 +440,18 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     // frame pole on rail
     let a_pole_z = p.g * c_theta;
     let a_pole_x = -p.g * s_theta;
+    let n_weight_pole_y = mc_pole_z * a_pole_x;
     let f_pole_z = p.m_p * a_pole_z - mc_pole_z * theta_dot_sq;
     let f_rail_x = f_pole_z * s_theta + p.m_p * a_pole_x * c_theta;
-    // frame rail on ground
-    let M_x_x = p.m_c + p.m_p;
-    // balance of forces
-    let tau_x = u.F - f_rail_x;
-    // M = L D L^T and back-substitution
-    let inv_x = 1.0 / M_x_x;
-    let l_theta_x = mc_pole_z * inv_x * c_theta;
-    let pivot_theta = I_pole_xx - l_theta_x * M_x_x * l_theta_x;
-    let inv_theta = 1.0 / pivot_theta;
-    let tau_x_inv_x = tau_x * inv_x;
-    let theta_ddot = inv_theta * (-mc_pole_z * a_pole_x - tau_x * l_theta_x);
-    let l_theta_x_theta_ddot = l_theta_x * theta_ddot;
-    let x_ddot = tau_x_inv_x - l_theta_x_theta_ddot;
+    let mc_pole_z_s_theta = mc_pole_z * s_theta;
+    let M_x_theta = mc_pole_z * c_theta;
+    // M = L^T D L and back-substitution
+    let inv_theta = 1.0 / I_pole_xx;
+    let l_theta_x = M_x_theta * inv_theta;
+    let pivot_x = p.m_c + p.m_p - M_x_theta * l_theta_x;
+    let inv_x = 1.0 / pivot_x;
+    let x_ddot = inv_x * (u.F - f_rail_x + n_weight_pole_y * l_theta_x);
+    let theta_ddot = -n_weight_pole_y * inv_theta - l_theta_x * x_ddot;
     let x_ddot_c_theta_plus_a_pole_x = x_ddot * c_theta + a_pole_x;
     // slopes of the balance of forces, at the accelerations found
     let slopes_1 = theta_ddot * (l_sq + l_sq / 3.0) + p.l * x_ddot_c_theta_plus_a_pole_x;
@@ -467,22 +459,20 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let slopes_3 = slopes_2 + c_theta * (x_ddot_c_theta_plus_a_pole_x + p.l * theta_ddot);
     let slopes_4 = p.m_p * x_ddot_c_theta_plus_a_pole_x + theta_ddot * (2.0 * p.m_p * p.l / 3.0 + 2.0 * mc_pole_z);
     // derivatives with respect to m_c
-    let by_m_c_1 = l_theta_x_theta_ddot - tau_x_inv_x;
-    let d_theta_ddot_by_m_c = -inv_theta * l_theta_x * by_m_c_1;
-    let d_x_ddot_by_m_c = inv_x * by_m_c_1 - l_theta_x * d_theta_ddot_by_m_c;
+    let d_x_ddot_by_m_c = -inv_x * x_ddot;
     // derivatives with respect to m_p
-    let d_theta_ddot_by_m_p = inv_theta * (l_theta_x * slopes_3 - slopes_1);
-    let d_x_ddot_by_m_p = -inv_x * slopes_3 - l_theta_x * d_theta_ddot_by_m_p;
+    let d_x_ddot_by_m_p = inv_x * (l_theta_x * slopes_1 - slopes_3);
+    let d_theta_ddot_by_m_p = -inv_theta * slopes_1 - l_theta_x * d_x_ddot_by_m_p;
     // derivatives with respect to l
     let by_l_1 = p.m_p * theta_dot_sq * s_theta - p.m_p * theta_ddot * c_theta;
-    let d_theta_ddot_by_l = -inv_theta * (slopes_4 + l_theta_x * by_l_1);
-    let d_x_ddot_by_l = inv_x * by_l_1 - l_theta_x * d_theta_ddot_by_l;
+    let d_x_ddot_by_l = inv_x * (by_l_1 + l_theta_x * slopes_4);
+    let d_theta_ddot_by_l = -inv_theta * slopes_4 - l_theta_x * d_x_ddot_by_l;
     // derivatives with respect to g
     let by_g_1 = p.m_p * c_theta * s_theta - p.m_p * s_theta * c_theta;
-    let d_theta_ddot_by_g = inv_theta * (mc_pole_z * s_theta - l_theta_x * by_g_1);
-    let d_x_ddot_by_g = inv_x * by_g_1 - l_theta_x * d_theta_ddot_by_g;
-    positive(M_x_x, 0)?;
-    positive(pivot_theta, 1)?;
+    let d_x_ddot_by_g = inv_x * (by_g_1 - mc_pole_z_s_theta * l_theta_x);
+    let d_theta_ddot_by_g = mc_pole_z_s_theta * inv_theta - l_theta_x * d_x_ddot_by_g;
+    positive(I_pole_xx, 1)?;
+    positive(pivot_x, 0)?;
     Ok([
         [0.0; 4], // x'
         [0.0; 4], // theta'
@@ -496,7 +486,7 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         .to_array(),
         // theta''
         Parameters {
-            m_c: d_theta_ddot_by_m_c,
+            m_c: -l_theta_x * d_x_ddot_by_m_c,
             m_p: d_theta_ddot_by_m_p,
             l: d_theta_ddot_by_l,
             g: d_theta_ddot_by_g,

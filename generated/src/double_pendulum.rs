@@ -1,5 +1,5 @@
 //! Double pendulum with quasi-direct drives and a belt to the elbow.
-//! Generated from `double_pendulum.rig` (model 9f10532e); edit the rig, not this file.
+//! Generated from `double_pendulum.rig` (model b0557872); edit the rig, not this file.
 //!
 //! Both motors sit at the shoulder end; the second one drives the elbow through a belt, so that its rotor
 //! turns by q1 - n q2. Both rotors turn n times as fast as their joints. Identified numbers of design A.0,
@@ -8,7 +8,7 @@
 //! b v + c_f atan(100 v); here the same level, c_f pi/2, and the same slope at rest in one regularized
 //! Coulomb law. q1 = 0 hangs; q2 relative to the upper link.
 //!
-//! 80 operations forward, 177 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 83 operations forward, 182 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]
@@ -262,16 +262,14 @@ impl State {
 #[must_use]
 pub fn mass_matrix(q: &Coordinates, p: &Parameters) -> [[f64; 2]; 2] {
     let c_q2 = cos(q.q2);
-    // frame lower on upper
     let m_2_r_2_c_q2 = p.m_2 * p.r_2 * c_q2;
     let I_2_plus_l_1_m_2_r_2_c_q2 = p.I_2 + p.l_1 * m_2_r_2_c_q2;
     // frame upper on ground
     let upper_1 = p.I_1 + p.I_2 + p.l_1 * (m_2_r_2_c_q2 + m_2_r_2_c_q2 + p.m_2 * p.l_1);
-    // kinetic energy rotor_1
     let half_I_r = 0.5 * p.I_r;
-    // kinetic energy rotor_2
     let two_n = 2.0 * p.n;
     let two_n_2 = 2.0 * p.n;
+    // kinetic energy rotor_2
     let M_q1_q1 = upper_1 + p.I_r + p.n * half_I_r * two_n;
     let M_q2_q2 = p.I_2 + p.n * half_I_r * two_n_2;
     [
@@ -313,10 +311,10 @@ pub fn velocity_products(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2]
     let omega_lower_y = -v.q1 - v.q2;
     let a_lower_1_z = p.l_1 * v.q1 * v.q1;
     let a_lower_x = a_lower_1_z * s_q2;
-    let f_lower_z = p.m_2 * a_lower_1_z * c_q2 - mc_lower_z * omega_lower_y * omega_lower_y;
-    let n_lower_y = mc_lower_z * a_lower_x;
-    let f_lower_1_x = p.m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
-    [p.l_1 * f_lower_1_x - n_lower_y, -n_lower_y]
+    let f_moving_lower_z = p.m_2 * a_lower_1_z * c_q2 - mc_lower_z * omega_lower_y * omega_lower_y;
+    let n_moving_lower_y = mc_lower_z * a_lower_x;
+    let f_moving_lower_1_x = p.m_2 * a_lower_x * c_q2 - f_moving_lower_z * s_q2;
+    [p.l_1 * f_moving_lower_1_x - n_moving_lower_y, -n_moving_lower_y]
 }
 
 /// Generalized gravity g(q) [N m]: what holds the rig still; rows (q1, q2).
@@ -324,10 +322,8 @@ pub fn velocity_products(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2]
 pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 2] {
     let (s_q1, c_q1) = sin_cos(q.q1);
     let (s_q2, c_q2) = sin_cos(q.q2);
-    // body lower_link on lower
     let r_2_c_q2 = p.r_2 * c_q2;
     let r_2_c_q1_s_q2 = p.r_2 * c_q1 * s_q2;
-    // gravity
     let gravity_1 = p.m_2 * p.g * (s_q1 * (p.l_1 + r_2_c_q2) + r_2_c_q1_s_q2);
     let g_q1 = p.m_1 * p.r_1 * p.g * s_q1 + gravity_1;
     let g_q2 = p.m_2 * p.g * (r_2_c_q1_s_q2 + r_2_c_q2 * s_q1);
@@ -362,24 +358,22 @@ pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     let (s_q2, c_q2) = sin_cos(q.q2);
     // frame lower on upper
     let omega_lower_y = -v.q1 - v.q2;
-    // kinetic energy rotor_1
     let half_I_r = 0.5 * p.I_r;
     let n_q1_dot = p.n * v.q1;
-    // kinetic energy rotor_2
     let q1_dot_minus_n_q2_dot = v.q1 - p.n * v.q2;
+    // kinetic energy rotor_2
     let rotor_2_1 = half_I_r * q1_dot_minus_n_q2_dot * q1_dot_minus_n_q2_dot;
-    // frame lower on upper
+    let rotor_2_2 = half_I_r * n_q1_dot * n_q1_dot + rotor_2_1;
     let l_1_q1_dot = p.l_1 * v.q1;
     let l_1_q1_dot_s_q2 = l_1_q1_dot * s_q2;
-    // body upper_link on upper
     let r_1_q1_dot = p.r_1 * v.q1;
-    let upper_link_1 = v.q1 * v.q1 * (p.I_1 - p.m_1 * p.r_1 * p.r_1);
+    // body upper_link on upper
+    let upper_link_1 = 0.5 * (p.m_1 * r_1_q1_dot * r_1_q1_dot + v.q1 * v.q1 * (p.I_1 - p.m_1 * p.r_1 * p.r_1));
     // body lower_link on lower
     let lower_link_1 = l_1_q1_dot * c_q2 - p.r_2 * omega_lower_y;
     let lower_link_2 = p.m_2 * (lower_link_1 * lower_link_1 + l_1_q1_dot_s_q2 * l_1_q1_dot_s_q2);
-    let lower_link_3 = lower_link_2 + omega_lower_y * omega_lower_y * (p.I_2 - p.m_2 * p.r_2 * p.r_2);
-    let lower_link_4 = 0.5 * (p.m_1 * r_1_q1_dot * r_1_q1_dot + upper_link_1) + 0.5 * lower_link_3;
-    half_I_r * n_q1_dot * n_q1_dot + rotor_2_1 + lower_link_4
+    let lower_link_3 = 0.5 * (lower_link_2 + omega_lower_y * omega_lower_y * (p.I_2 - p.m_2 * p.r_2 * p.r_2));
+    rotor_2_2 + upper_link_1 + lower_link_3
 }
 
 /// Potential energy V(q) [J]: gravity and springs.
@@ -387,8 +381,8 @@ pub fn kinetic_energy(q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
 pub fn potential_energy(q: &Coordinates, p: &Parameters) -> f64 {
     let (s_q1, c_q1) = sin_cos(q.q1);
     let (s_q2, c_q2) = sin_cos(q.q2);
-    // body lower_link on lower
     let l_1_plus_r_2_c_q2_c_q1 = c_q1 * (p.l_1 + p.r_2 * c_q2);
+    // body lower_link on lower
     let lower_link_1 = p.m_2 * p.g * (p.r_2 * s_q1 * s_q2 - l_1_plus_r_2_c_q2_c_q1);
     lower_link_1 - p.m_1 * p.r_1 * p.g * c_q1
 }
@@ -413,9 +407,7 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     // frame lower on upper
     let a_lower_1_z = p.l_1 * v.q1 * v.q1 + p.g * c_q1;
     let a_lower_1_x = a_upper_x + p.l_1 * a.q1;
-    // kinetic energy rotor_1
     let half_I_r = 0.5 * p.I_r;
-    // kinetic energy rotor_2
     let two_n = 2.0 * p.n;
     let two_n_2 = 2.0 * p.n;
     // gravity
@@ -423,14 +415,14 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     // frame lower on upper
     let a_lower_z = a_lower_1_z * c_q2 - a_lower_1_x * s_q2;
     let a_lower_x = a_lower_1_z * s_q2 + a_lower_1_x * c_q2;
-    let f_lower_x = p.m_2 * a_lower_x + mc_lower_z * alpha_lower_y;
-    let f_lower_z = p.m_2 * a_lower_z - mc_lower_z * omega_lower_y * omega_lower_y;
-    let n_lower_y = p.I_2 * alpha_lower_y + mc_lower_z * a_lower_x;
-    let f_lower_1_x = f_lower_x * c_q2 - f_lower_z * s_q2;
+    let f_net_lower_x = p.m_2 * a_lower_x + mc_lower_z * alpha_lower_y;
+    let f_net_lower_z = p.m_2 * a_lower_z - mc_lower_z * omega_lower_y * omega_lower_y;
+    let n_net_lower_y = p.I_2 * alpha_lower_y + mc_lower_z * a_lower_x;
+    let f_net_lower_1_x = f_net_lower_x * c_q2 - f_net_lower_z * s_q2;
     // frame upper on ground
-    let n_upper_y = n_lower_y - p.m_1 * p.r_1 * a_upper_x - p.I_1 * a.q1 - p.l_1 * f_lower_1_x;
-    let upper_1 = a.q1 * (p.I_r + p.n * half_I_r * two_n) - n_upper_y - u.tau_1;
-    let upper_2 = n_lower_y + u.tau_2 + half_I_r * two_n * a.q1;
+    let n_net_upper_y = n_net_lower_y - p.m_1 * p.r_1 * a_upper_x - p.I_1 * a.q1 - p.l_1 * f_net_lower_1_x;
+    let upper_1 = a.q1 * (p.I_r + p.n * half_I_r * two_n) - n_net_upper_y - u.tau_1;
+    let upper_2 = n_net_lower_y + u.tau_2 + half_I_r * two_n * a.q1;
     [d_q1 + upper_1 - half_I_r * two_n_2 * a.q2, d_q2 - upper_2 + p.n * half_I_r * two_n_2 * a.q2]
 }
 
@@ -442,7 +434,7 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
 }
 
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
-/// 80 operations.
+/// 83 operations.
 ///
 /// # Errors
 /// [`Singular`] where the mass matrix is not positive definite.
@@ -459,6 +451,7 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     // frame lower on upper
     let omega_lower_y = -v.q1 - v.q2;
     let mc_lower_z_c_q2 = mc_lower_z * c_q2;
+    let lower_1 = p.I_2 - p.l_1 * mc_lower_z_c_q2;
     // frame upper on ground
     let a_upper_x = p.g * s_q1;
     let upper_1 = p.I_1 + p.I_2 + p.l_1 * (p.m_2 * p.l_1 - mc_lower_z_c_q2 - mc_lower_z_c_q2);
@@ -471,21 +464,21 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let f_lower_1_x = p.m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
     // frame upper on ground
     let n_upper_y = n_lower_y - p.m_1 * p.r_1 * a_upper_x - p.l_1 * f_lower_1_x;
-    // kinetic energy rotor_1
     let half_I_r = 0.5 * p.I_r;
-    // kinetic energy rotor_2
     let two_n = 2.0 * p.n;
+    let two_n_2 = 2.0 * p.n;
+    // kinetic energy rotor_2
     let M_q1_q1 = upper_1 + p.I_r + p.n * half_I_r * two_n;
-    let rotor_2_1 = p.I_2 - p.l_1 * mc_lower_z_c_q2 - half_I_r * two_n;
-    let M_q2_q2 = p.I_2 + 2.0 * p.n * p.n * half_I_r;
+    let lower_1_minus_half_I_r_two_n = lower_1 - half_I_r * two_n;
+    let M_q2_q2 = p.I_2 + p.n * half_I_r * two_n_2;
     // balance of forces
     let tau_q2 = n_lower_y - d_q2 + u.tau_2;
     // M = L^T D L and back-substitution
     let inv_q2 = 1.0 / M_q2_q2;
-    let l_q2_q1 = rotor_2_1 * inv_q2;
-    let pivot_q1 = M_q1_q1 - rotor_2_1 * l_q2_q1;
-    let q1_ddot = (n_upper_y - tau_q2 * l_q2_q1 - d_q1 + u.tau_1) / pivot_q1;
-    let q2_ddot = tau_q2 * inv_q2 - l_q2_q1 * q1_ddot;
+    let u_q1_q2 = inv_q2 * (lower_1 - half_I_r * two_n_2);
+    let pivot_q1 = M_q1_q1 - lower_1_minus_half_I_r_two_n * u_q1_q2;
+    let q1_ddot = (n_upper_y - tau_q2 * u_q1_q2 - d_q1 + u.tau_1) / pivot_q1;
+    let q2_ddot = tau_q2 * inv_q2 - lower_1_minus_half_I_r_two_n * inv_q2 * q1_ddot;
     positive(M_q2_q2, 1)?;
     positive(pivot_q1, 0)?;
     Ok(Accelerations::from_array([q1_ddot, q2_ddot]))
@@ -503,7 +496,7 @@ pub struct Linearization {
 }
 
 /// State derivative and its Jacobians A, B, exact, at any state.
-/// 177 operations.
+/// 182 operations.
 ///
 /// Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
 /// ```text
@@ -536,16 +529,17 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let omega_lower_y = -v.q1 - v.q2;
     let mc_lower_z_omega_lower_y_sq = mc_lower_z * omega_lower_y * omega_lower_y;
     let mc_lower_z_c_q2 = mc_lower_z * c_q2;
+    let lower_1 = p.I_2 - p.l_1 * mc_lower_z_c_q2;
     // frame upper on ground
     let a_upper_z = p.g * c_q1;
     let a_upper_x = p.g * s_q1;
     let upper_1 = p.I_1 + p.I_2 + p.l_1 * (p.m_2 * p.l_1 - mc_lower_z_c_q2 - mc_lower_z_c_q2);
-    // frame lower on upper
     let a_upper_x_s_q2 = a_upper_x * s_q2;
     let a_upper_x_c_q2 = a_upper_x * c_q2;
+    // frame lower on upper
     let a_lower_z = a_upper_z * c_q2 - a_upper_x_s_q2;
-    let f_lower_x = p.m_2 * (a_upper_z * s_q2 + a_upper_x_c_q2);
-    let f_lower_1_z = p.m_2 * a_lower_z * c_q2 + f_lower_x * s_q2;
+    let f_weight_lower_x = p.m_2 * (a_upper_z * s_q2 + a_upper_x_c_q2);
+    let f_weight_lower_1_z = p.m_2 * a_lower_z * c_q2 + f_weight_lower_x * s_q2;
     let a_lower_1_z = p.l_1 * v.q1 * v.q1 + a_upper_z;
     let a_lower_1_z_c_q2 = a_lower_1_z * c_q2;
     let a_lower_1_z_s_q2 = a_lower_1_z * s_q2;
@@ -555,56 +549,59 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let f_lower_1_x = p.m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
     // frame upper on ground
     let n_upper_y = mc_upper_z * a_upper_x + n_lower_y - p.l_1 * f_lower_1_x;
-    // kinetic energy rotor_1
     let half_I_r = 0.5 * p.I_r;
-    // kinetic energy rotor_2
     let two_n = 2.0 * p.n;
+    let two_n_2 = 2.0 * p.n;
+    // kinetic energy rotor_2
     let M_q1_q1 = upper_1 + p.I_r + p.n * half_I_r * two_n;
-    let rotor_2_1 = p.I_2 - p.l_1 * mc_lower_z_c_q2 - half_I_r * two_n;
-    let M_q2_q2 = p.I_2 + 2.0 * p.n * p.n * half_I_r;
+    let lower_1_minus_half_I_r_two_n = lower_1 - half_I_r * two_n;
+    let M_q2_q2 = p.I_2 + p.n * half_I_r * two_n_2;
     // balance of forces
     let tau_q2 = n_lower_y - d_q2 + u.tau_2;
     // M = L^T D L and back-substitution
     let inv_q2 = 1.0 / M_q2_q2;
-    let l_q2_q1 = rotor_2_1 * inv_q2;
-    let pivot_q1 = M_q1_q1 - rotor_2_1 * l_q2_q1;
+    let l_q2_q1 = lower_1_minus_half_I_r_two_n * inv_q2;
+    let u_q1_q2 = inv_q2 * (lower_1 - half_I_r * two_n_2);
+    let pivot_q1 = M_q1_q1 - lower_1_minus_half_I_r_two_n * u_q1_q2;
     let inv_q1 = 1.0 / pivot_q1;
-    let q1_ddot = inv_q1 * (n_upper_y - tau_q2 * l_q2_q1 - d_q1 + u.tau_1);
+    let q1_ddot = inv_q1 * (n_upper_y - tau_q2 * u_q1_q2 - d_q1 + u.tau_1);
     let q2_ddot = tau_q2 * inv_q2 - l_q2_q1 * q1_ddot;
-    // derivatives with respect to q1
     let mc_lower_z_a_lower_z = mc_lower_z * a_lower_z;
-    let by_q1_1 = p.l_1 * f_lower_1_z - mc_upper_z * a_upper_z - mc_lower_z_a_lower_z;
-    let d_q1_ddot_by_q1 = inv_q1 * (-l_q2_q1 * mc_lower_z_a_lower_z - by_q1_1);
+    // derivatives with respect to q1
+    let by_q1_1 = mc_upper_z * a_upper_z - u_q1_q2 * mc_lower_z_a_lower_z + mc_lower_z_a_lower_z - p.l_1 * f_weight_lower_1_z;
+    let d_q1_ddot_by_q1 = inv_q1 * by_q1_1;
     let d_q2_ddot_by_q1 = inv_q2 * mc_lower_z_a_lower_z - l_q2_q1 * d_q1_ddot_by_q1;
-    // derivatives with respect to q1_dot
     let inv_v_c = 1.0 / p.v_c;
+    // derivatives with respect to q1_dot
     let by_q1_dot_1 = p.b_1 + friction_q1_1 * inv_v_c * (1.0 - tanh_q1_dot_per_v_c * tanh_q1_dot_per_v_c);
     let two_l_1_q1_dot = 2.0 * p.l_1 * v.q1;
     let two_mc_lower_z_omega_lower_y = 2.0 * mc_lower_z * omega_lower_y;
     let two_l_1_q1_dot_s_q2 = two_l_1_q1_dot * s_q2;
     let by_q1_dot_2 = mc_lower_z * two_l_1_q1_dot_s_q2;
     let by_q1_dot_3 = s_q2 * (two_mc_lower_z_omega_lower_y + p.m_2 * two_l_1_q1_dot * c_q2);
-    let by_q1_dot_4 = p.l_1 * (p.m_2 * two_l_1_q1_dot_s_q2 * c_q2 - by_q1_dot_3) - by_q1_dot_2;
-    let d_q1_ddot_by_q1_dot = inv_q1 * (-l_q2_q1 * by_q1_dot_2 - by_q1_dot_1 - by_q1_dot_4);
+    let by_q1_dot_4 = p.l_1 * (p.m_2 * two_l_1_q1_dot_s_q2 * c_q2 - by_q1_dot_3);
+    let by_q1_dot_5 = by_q1_dot_2 - u_q1_q2 * by_q1_dot_2 - by_q1_dot_1 - by_q1_dot_4;
+    let d_q1_ddot_by_q1_dot = inv_q1 * by_q1_dot_5;
     let d_q2_ddot_by_q1_dot = inv_q2 * by_q1_dot_2 - l_q2_q1 * d_q1_ddot_by_q1_dot;
     // derivatives with respect to q2_dot
     let by_q2_dot_1 = p.b_2 + friction_q2_1 * inv_v_c * (1.0 - tanh_q2_dot_per_v_c * tanh_q2_dot_per_v_c);
-    let d_q1_ddot_by_q2_dot = inv_q1 * (p.l_1 * two_mc_lower_z_omega_lower_y * s_q2 + l_q2_q1 * by_q2_dot_1);
+    let d_q1_ddot_by_q2_dot = inv_q1 * (p.l_1 * two_mc_lower_z_omega_lower_y * s_q2 + u_q1_q2 * by_q2_dot_1);
     let d_q2_ddot_by_q2_dot = -inv_q2 * by_q2_dot_1 - l_q2_q1 * d_q1_ddot_by_q2_dot;
-    // slopes of the balance of forces, at the accelerations found
     let a_upper_x_plus_l_1_q1_ddot = a_upper_x + p.l_1 * q1_ddot;
+    // slopes of the balance of forces, at the accelerations found
     let slopes_1 = a_lower_1_z_c_q2 - a_upper_x_plus_l_1_q1_ddot * s_q2;
     let slopes_2 = p.m_2 * (a_lower_1_z_s_q2 + a_upper_x_plus_l_1_q1_ddot * c_q2);
     let m_2_slopes_1 = p.m_2 * slopes_1;
-    let slopes_3 = s_q2 * (slopes_2 - mc_lower_z * (q1_ddot + q2_ddot));
+    let slopes_3 = c_q2 * (m_2_slopes_1 - mc_lower_z_omega_lower_y_sq);
+    let slopes_4 = s_q2 * (slopes_2 - mc_lower_z * (q1_ddot + q2_ddot));
     let mc_lower_z_slopes_1 = mc_lower_z * slopes_1;
-    let slopes_4 = c_q2 * (m_2_slopes_1 - mc_lower_z_omega_lower_y_sq) - slopes_2 * s_q2;
-    let slopes_5 = p.l_1 * (m_2_slopes_1 * c_q2 - slopes_3 - slopes_4);
+    let slopes_3_minus_slopes_2_s_q2 = slopes_3 - slopes_2 * s_q2;
+    let slopes_5 = p.l_1 * (m_2_slopes_1 * c_q2 - slopes_4 - slopes_3_minus_slopes_2_s_q2);
     // derivatives with respect to q2
-    let d_q1_ddot_by_q2 = inv_q1 * (mc_lower_z_slopes_1 - l_q2_q1 * mc_lower_z_slopes_1 - slopes_5);
+    let d_q1_ddot_by_q2 = inv_q1 * (mc_lower_z_slopes_1 - u_q1_q2 * mc_lower_z_slopes_1 - slopes_5);
     let d_q2_ddot_by_q2 = inv_q2 * mc_lower_z_slopes_1 - l_q2_q1 * d_q1_ddot_by_q2;
-    // derivatives with respect to tau_1
-    let d_q2_ddot_by_tau_1 = -l_q2_q1 * inv_q1;
+    // derivatives with respect to tau_2
+    let d_q1_ddot_by_tau_2 = -u_q1_q2 * inv_q1;
     positive(M_q2_q2, 1)?;
     positive(pivot_q1, 0)?;
     Ok(Linearization {
@@ -618,14 +615,14 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
         b: [
             [0.0, 0.0], // q1'
             [0.0, 0.0], // q2'
-            [inv_q1, d_q2_ddot_by_tau_1], // q1''
-            [d_q2_ddot_by_tau_1, inv_q2 - l_q2_q1 * d_q2_ddot_by_tau_1], // q2''
+            [inv_q1, d_q1_ddot_by_tau_2], // q1''
+            [-l_q2_q1 * inv_q1, inv_q2 - l_q2_q1 * d_q1_ddot_by_tau_2], // q2''
         ],
     })
 }
 
 /// As [`linearize`], without the slope of regularized Coulomb friction (at rest an artefact of its width).
-/// 177 operations.
+/// 182 operations.
 ///
 /// Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
 /// ```text
@@ -654,16 +651,17 @@ pub fn linearize_without_friction_slope(x: &State, u: &Inputs, p: &Parameters) -
     let omega_lower_y = -v.q1 - v.q2;
     let mc_lower_z_omega_lower_y_sq = mc_lower_z * omega_lower_y * omega_lower_y;
     let mc_lower_z_c_q2 = mc_lower_z * c_q2;
+    let lower_1 = p.I_2 - p.l_1 * mc_lower_z_c_q2;
     // frame upper on ground
     let a_upper_z = p.g * c_q1;
     let a_upper_x = p.g * s_q1;
     let upper_1 = p.I_1 + p.I_2 + p.l_1 * (p.m_2 * p.l_1 - mc_lower_z_c_q2 - mc_lower_z_c_q2);
-    // frame lower on upper
     let a_upper_x_s_q2 = a_upper_x * s_q2;
     let a_upper_x_c_q2 = a_upper_x * c_q2;
+    // frame lower on upper
     let a_lower_z = a_upper_z * c_q2 - a_upper_x_s_q2;
-    let f_lower_x = p.m_2 * (a_upper_z * s_q2 + a_upper_x_c_q2);
-    let f_lower_1_z = p.m_2 * a_lower_z * c_q2 + f_lower_x * s_q2;
+    let f_weight_lower_x = p.m_2 * (a_upper_z * s_q2 + a_upper_x_c_q2);
+    let f_weight_lower_1_z = p.m_2 * a_lower_z * c_q2 + f_weight_lower_x * s_q2;
     let a_lower_1_z = p.l_1 * v.q1 * v.q1 + a_upper_z;
     let a_lower_1_z_c_q2 = a_lower_1_z * c_q2;
     let a_lower_1_z_s_q2 = a_lower_1_z * s_q2;
@@ -673,52 +671,54 @@ pub fn linearize_without_friction_slope(x: &State, u: &Inputs, p: &Parameters) -
     let f_lower_1_x = p.m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
     // frame upper on ground
     let n_upper_y = mc_upper_z * a_upper_x + n_lower_y - p.l_1 * f_lower_1_x;
-    // kinetic energy rotor_1
     let half_I_r = 0.5 * p.I_r;
-    // kinetic energy rotor_2
     let two_n = 2.0 * p.n;
+    let two_n_2 = 2.0 * p.n;
+    // kinetic energy rotor_2
     let M_q1_q1 = upper_1 + p.I_r + p.n * half_I_r * two_n;
-    let rotor_2_1 = p.I_2 - p.l_1 * mc_lower_z_c_q2 - half_I_r * two_n;
-    let M_q2_q2 = p.I_2 + 2.0 * p.n * p.n * half_I_r;
+    let lower_1_minus_half_I_r_two_n = lower_1 - half_I_r * two_n;
+    let M_q2_q2 = p.I_2 + p.n * half_I_r * two_n_2;
     // balance of forces
     let tau_q2 = n_lower_y - d_q2 + u.tau_2;
     // M = L^T D L and back-substitution
     let inv_q2 = 1.0 / M_q2_q2;
-    let l_q2_q1 = rotor_2_1 * inv_q2;
-    let pivot_q1 = M_q1_q1 - rotor_2_1 * l_q2_q1;
+    let l_q2_q1 = lower_1_minus_half_I_r_two_n * inv_q2;
+    let u_q1_q2 = inv_q2 * (lower_1 - half_I_r * two_n_2);
+    let pivot_q1 = M_q1_q1 - lower_1_minus_half_I_r_two_n * u_q1_q2;
     let inv_q1 = 1.0 / pivot_q1;
-    let q1_ddot = inv_q1 * (n_upper_y - tau_q2 * l_q2_q1 - d_q1 + u.tau_1);
+    let q1_ddot = inv_q1 * (n_upper_y - tau_q2 * u_q1_q2 - d_q1 + u.tau_1);
     let q2_ddot = tau_q2 * inv_q2 - l_q2_q1 * q1_ddot;
-    // derivatives with respect to q1
     let mc_lower_z_a_lower_z = mc_lower_z * a_lower_z;
-    let by_q1_1 = p.l_1 * f_lower_1_z - mc_upper_z * a_upper_z - mc_lower_z_a_lower_z;
-    let d_q1_ddot_by_q1 = inv_q1 * (-l_q2_q1 * mc_lower_z_a_lower_z - by_q1_1);
+    // derivatives with respect to q1
+    let by_q1_1 = mc_upper_z * a_upper_z - u_q1_q2 * mc_lower_z_a_lower_z + mc_lower_z_a_lower_z - p.l_1 * f_weight_lower_1_z;
+    let d_q1_ddot_by_q1 = inv_q1 * by_q1_1;
     let d_q2_ddot_by_q1 = inv_q2 * mc_lower_z_a_lower_z - l_q2_q1 * d_q1_ddot_by_q1;
-    // derivatives with respect to q1_dot
     let two_l_1_q1_dot = 2.0 * p.l_1 * v.q1;
     let two_mc_lower_z_omega_lower_y = 2.0 * mc_lower_z * omega_lower_y;
     let two_l_1_q1_dot_s_q2 = two_l_1_q1_dot * s_q2;
+    // derivatives with respect to q1_dot
     let by_q1_dot_1 = mc_lower_z * two_l_1_q1_dot_s_q2;
     let by_q1_dot_2 = s_q2 * (two_mc_lower_z_omega_lower_y + p.m_2 * two_l_1_q1_dot * c_q2);
-    let by_q1_dot_3 = p.l_1 * (p.m_2 * two_l_1_q1_dot_s_q2 * c_q2 - by_q1_dot_2) - by_q1_dot_1;
-    let d_q1_ddot_by_q1_dot = inv_q1 * (-l_q2_q1 * by_q1_dot_1 - p.b_1 - by_q1_dot_3);
+    let by_q1_dot_3 = p.l_1 * (p.m_2 * two_l_1_q1_dot_s_q2 * c_q2 - by_q1_dot_2);
+    let d_q1_ddot_by_q1_dot = inv_q1 * (by_q1_dot_1 - u_q1_q2 * by_q1_dot_1 - p.b_1 - by_q1_dot_3);
     let d_q2_ddot_by_q1_dot = inv_q2 * by_q1_dot_1 - l_q2_q1 * d_q1_ddot_by_q1_dot;
-    // slopes of the balance of forces, at the accelerations found
     let a_upper_x_plus_l_1_q1_ddot = a_upper_x + p.l_1 * q1_ddot;
+    // slopes of the balance of forces, at the accelerations found
     let slopes_1 = a_lower_1_z_c_q2 - a_upper_x_plus_l_1_q1_ddot * s_q2;
     let slopes_2 = p.m_2 * (a_lower_1_z_s_q2 + a_upper_x_plus_l_1_q1_ddot * c_q2);
     let m_2_slopes_1 = p.m_2 * slopes_1;
-    let slopes_3 = s_q2 * (slopes_2 - mc_lower_z * (q1_ddot + q2_ddot));
+    let slopes_3 = c_q2 * (m_2_slopes_1 - mc_lower_z_omega_lower_y_sq);
+    let slopes_4 = s_q2 * (slopes_2 - mc_lower_z * (q1_ddot + q2_ddot));
     let mc_lower_z_slopes_1 = mc_lower_z * slopes_1;
-    let slopes_4 = c_q2 * (m_2_slopes_1 - mc_lower_z_omega_lower_y_sq) - slopes_2 * s_q2;
-    let slopes_5 = p.l_1 * (m_2_slopes_1 * c_q2 - slopes_3 - slopes_4);
+    let slopes_3_minus_slopes_2_s_q2 = slopes_3 - slopes_2 * s_q2;
+    let slopes_5 = p.l_1 * (m_2_slopes_1 * c_q2 - slopes_4 - slopes_3_minus_slopes_2_s_q2);
     // derivatives with respect to q2
-    let d_q1_ddot_by_q2 = inv_q1 * (mc_lower_z_slopes_1 - l_q2_q1 * mc_lower_z_slopes_1 - slopes_5);
+    let d_q1_ddot_by_q2 = inv_q1 * (mc_lower_z_slopes_1 - u_q1_q2 * mc_lower_z_slopes_1 - slopes_5);
     let d_q2_ddot_by_q2 = inv_q2 * mc_lower_z_slopes_1 - l_q2_q1 * d_q1_ddot_by_q2;
-    // derivatives with respect to tau_1
-    let d_q2_ddot_by_tau_1 = -l_q2_q1 * inv_q1;
+    // derivatives with respect to tau_2
+    let d_q1_ddot_by_tau_2 = -u_q1_q2 * inv_q1;
     // derivatives with respect to q2_dot
-    let d_q1_ddot_by_q2_dot = inv_q1 * (p.l_1 * two_mc_lower_z_omega_lower_y * s_q2 + p.b_2 * l_q2_q1);
+    let d_q1_ddot_by_q2_dot = inv_q1 * (p.l_1 * two_mc_lower_z_omega_lower_y * s_q2 + p.b_2 * u_q1_q2);
     let d_q2_ddot_by_q2_dot = -p.b_2 * inv_q2 - l_q2_q1 * d_q1_ddot_by_q2_dot;
     positive(M_q2_q2, 1)?;
     positive(pivot_q1, 0)?;
@@ -733,8 +733,8 @@ pub fn linearize_without_friction_slope(x: &State, u: &Inputs, p: &Parameters) -
         b: [
             [0.0, 0.0], // q1'
             [0.0, 0.0], // q2'
-            [inv_q1, d_q2_ddot_by_tau_1], // q1''
-            [d_q2_ddot_by_tau_1, inv_q2 - l_q2_q1 * d_q2_ddot_by_tau_1], // q2''
+            [inv_q1, d_q1_ddot_by_tau_2], // q1''
+            [-l_q2_q1 * inv_q1, inv_q2 - l_q2_q1 * d_q1_ddot_by_tau_2], // q2''
         ],
     })
 }
@@ -766,8 +766,9 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let omega_lower_y_sq = omega_lower_y * omega_lower_y;
     let mc_lower_z_omega_lower_y_sq = mc_lower_z * omega_lower_y_sq;
     let mc_lower_z_c_q2 = mc_lower_z * c_q2;
-    // frame upper on ground
+    let lower_1 = p.I_2 - p.l_1 * mc_lower_z_c_q2;
     let q1_dot_sq = v.q1 * v.q1;
+    // frame upper on ground
     let a_upper_x = p.g * s_q1;
     let upper_1 = p.I_1 + p.I_2 + p.l_1 * (p.m_2 * p.l_1 - mc_lower_z_c_q2 - mc_lower_z_c_q2);
     // frame lower on upper
@@ -780,27 +781,28 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let f_lower_1_x = p.m_2 * a_lower_x * c_q2 - f_lower_z * s_q2;
     // frame upper on ground
     let n_upper_y = mc_upper_z * a_upper_x + n_lower_y - p.l_1 * f_lower_1_x;
-    // kinetic energy rotor_1
     let half_I_r = 0.5 * p.I_r;
-    // kinetic energy rotor_2
     let two_n = 2.0 * p.n;
     let n_two_n = p.n * two_n;
-    let two_n_n = 2.0 * p.n * p.n;
+    let two_n_2 = 2.0 * p.n;
+    let n_two_n_2 = p.n * two_n_2;
+    // kinetic energy rotor_2
     let M_q1_q1 = upper_1 + p.I_r + half_I_r * n_two_n;
-    let rotor_2_1 = p.I_2 - p.l_1 * mc_lower_z_c_q2 - half_I_r * two_n;
-    let M_q2_q2 = p.I_2 + half_I_r * two_n_n;
+    let lower_1_minus_half_I_r_two_n = lower_1 - half_I_r * two_n;
+    let M_q2_q2 = p.I_2 + half_I_r * n_two_n_2;
     // balance of forces
     let tau_q2 = n_lower_y - d_q2 + u.tau_2;
     // M = L^T D L and back-substitution
     let inv_q2 = 1.0 / M_q2_q2;
-    let l_q2_q1 = rotor_2_1 * inv_q2;
-    let pivot_q1 = M_q1_q1 - rotor_2_1 * l_q2_q1;
+    let l_q2_q1 = lower_1_minus_half_I_r_two_n * inv_q2;
+    let u_q1_q2 = inv_q2 * (lower_1 - half_I_r * two_n_2);
+    let pivot_q1 = M_q1_q1 - lower_1_minus_half_I_r_two_n * u_q1_q2;
     let inv_q1 = 1.0 / pivot_q1;
-    let q1_ddot = inv_q1 * (n_upper_y - tau_q2 * l_q2_q1 - d_q1 + u.tau_1);
+    let q1_ddot = inv_q1 * (n_upper_y - tau_q2 * u_q1_q2 - d_q1 + u.tau_1);
     let q2_ddot = tau_q2 * inv_q2 - l_q2_q1 * q1_ddot;
-    // slopes of the balance of forces, at the accelerations found
     let q1_ddot_plus_q2_ddot = q1_ddot + q2_ddot;
     let a_upper_x_plus_l_1_q1_ddot = a_upper_x + p.l_1 * q1_ddot;
+    // slopes of the balance of forces, at the accelerations found
     let slopes_1 = a_lower_1_z_c_q2 - a_upper_x_plus_l_1_q1_ddot * s_q2;
     let slopes_2 = a_lower_1_z_s_q2 + a_upper_x_plus_l_1_q1_ddot * c_q2;
     let m_2_slopes_2 = p.m_2 * slopes_2;
@@ -808,64 +810,63 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let slopes_4 = slopes_3 - s_q2 * (p.m_2 * slopes_1 - mc_lower_z_omega_lower_y_sq);
     let r_2_slopes_2 = p.r_2 * slopes_2;
     let slopes_5 = s_q2 * (slopes_1 + p.r_2 * omega_lower_y_sq);
-    let slopes_6 = p.l_1 * (c_q2 * (slopes_2 + p.r_2 * q1_ddot_plus_q2_ddot) - slopes_5);
+    let slopes_6 = c_q2 * (slopes_2 + p.r_2 * q1_ddot_plus_q2_ddot) - slopes_5;
     let slopes_7 = p.m_2 * q1_ddot_plus_q2_ddot * c_q2 - p.m_2 * omega_lower_y_sq * s_q2;
     let slopes_8 = q1_dot_sq * s_q2 + q1_ddot * c_q2;
+    let slopes_9 = p.m_2 * (q1_dot_sq * c_q2 - q1_ddot * s_q2);
     let mc_lower_z_slopes_8 = mc_lower_z * slopes_8;
-    let slopes_9 = p.m_2 * s_q2 * (q1_dot_sq * c_q2 - q1_ddot * s_q2);
-    let slopes_10 = slopes_4 + p.l_1 * (p.m_2 * slopes_8 * c_q2 - slopes_9);
-    let slopes_11 = p.n * q1_ddot - 0.5 * q2_ddot * two_n_n;
-    let slopes_12 = p.I_r * q1_ddot - 4.0 * p.n * q2_ddot * half_I_r;
+    let slopes_10 = p.m_2 * slopes_8 * c_q2 - slopes_9 * s_q2;
+    let slopes_11 = slopes_4 - mc_lower_z_slopes_8 + p.l_1 * slopes_10;
+    let slopes_12 = p.n * q1_ddot - 0.5 * q2_ddot * n_two_n_2;
+    let slopes_13 = p.I_r * q1_ddot - 4.0 * p.n * q2_ddot * half_I_r;
     // derivatives with respect to v_c
     let by_v_c_1 = friction_q1_1 * q1_dot_per_v_c * (1.0 - tanh_q1_dot_per_v_c * tanh_q1_dot_per_v_c) / p.v_c;
     let by_v_c_2 = friction_q2_1 * q2_dot_per_v_c * (1.0 - tanh_q2_dot_per_v_c * tanh_q2_dot_per_v_c) / p.v_c;
-    let d_q1_ddot_by_v_c = inv_q1 * (by_v_c_1 - l_q2_q1 * by_v_c_2);
+    let d_q1_ddot_by_v_c = inv_q1 * (by_v_c_1 - u_q1_q2 * by_v_c_2);
     let d_q2_ddot_by_v_c = inv_q2 * by_v_c_2 - l_q2_q1 * d_q1_ddot_by_v_c;
-    // derivatives with respect to g
     let c_q1_s_q2_plus_s_q1_c_q2 = c_q1 * s_q2 + s_q1 * c_q2;
+    // derivatives with respect to g
     let by_g_1 = p.m_2 * (c_q1 * c_q2 - s_q1 * s_q2);
     let by_g_2 = mc_lower_z * c_q1_s_q2_plus_s_q1_c_q2;
-    let by_g_3 = p.l_1 * (p.m_2 * c_q1_s_q2_plus_s_q1_c_q2 * c_q2 - by_g_1 * s_q2);
-    let by_g_4 = mc_upper_z * s_q1 - l_q2_q1 * by_g_2 + by_g_2 - by_g_3;
-    let d_q1_ddot_by_g = inv_q1 * by_g_4;
+    let by_g_3 = p.m_2 * c_q1_s_q2_plus_s_q1_c_q2 * c_q2 - by_g_1 * s_q2;
+    let by_g_4 = p.l_1 * by_g_3 - mc_upper_z * s_q1 - by_g_2;
+    let d_q1_ddot_by_g = inv_q1 * (-u_q1_q2 * by_g_2 - by_g_4);
     let d_q2_ddot_by_g = inv_q2 * by_g_2 - l_q2_q1 * d_q1_ddot_by_g;
     // derivatives with respect to m_1
     let d_q1_ddot_by_m_1 = -p.r_1 * inv_q1 * a_upper_x;
     // derivatives with respect to m_2
-    let d_q1_ddot_by_m_2 = inv_q1 * (l_q2_q1 * r_2_slopes_2 - r_2_slopes_2 - slopes_6);
+    let d_q1_ddot_by_m_2 = inv_q1 * (u_q1_q2 * r_2_slopes_2 - r_2_slopes_2 - p.l_1 * slopes_6);
     let d_q2_ddot_by_m_2 = -inv_q2 * r_2_slopes_2 - l_q2_q1 * d_q1_ddot_by_m_2;
     // derivatives with respect to r_1
     let d_q1_ddot_by_r_1 = -p.m_1 * a_upper_x * inv_q1;
     // derivatives with respect to r_2
-    let d_q1_ddot_by_r_2 = inv_q1 * (l_q2_q1 * m_2_slopes_2 - m_2_slopes_2 - p.l_1 * slopes_7);
+    let d_q1_ddot_by_r_2 = inv_q1 * (u_q1_q2 * m_2_slopes_2 - m_2_slopes_2 - p.l_1 * slopes_7);
     let d_q2_ddot_by_r_2 = -inv_q2 * m_2_slopes_2 - l_q2_q1 * d_q1_ddot_by_r_2;
     // derivatives with respect to l_1
-    let d_q1_ddot_by_l_1 = inv_q1 * (mc_lower_z_slopes_8 - l_q2_q1 * mc_lower_z_slopes_8 - slopes_10);
+    let d_q1_ddot_by_l_1 = inv_q1 * (-u_q1_q2 * mc_lower_z_slopes_8 - slopes_11);
     let d_q2_ddot_by_l_1 = inv_q2 * mc_lower_z_slopes_8 - l_q2_q1 * d_q1_ddot_by_l_1;
     // derivatives with respect to I_1
     let d_q1_ddot_by_I_1 = -inv_q1 * q1_ddot;
-    // derivatives with respect to I_2
     let q2_ddot_plus_q1_ddot = q2_ddot + q1_ddot;
-    let d_q1_ddot_by_I_2 = inv_q1 * (l_q2_q1 * q2_ddot_plus_q1_ddot - q2_ddot_plus_q1_ddot);
+    // derivatives with respect to I_2
+    let d_q1_ddot_by_I_2 = inv_q1 * (u_q1_q2 * q2_ddot_plus_q1_ddot - q2_ddot_plus_q1_ddot);
     let d_q2_ddot_by_I_2 = -inv_q2 * q2_ddot_plus_q1_ddot - l_q2_q1 * d_q1_ddot_by_I_2;
     // derivatives with respect to I_r
-    let by_I_r_1 = q1_ddot * (1.0 + 0.5 * n_two_n) - p.n * q2_ddot + l_q2_q1 * slopes_11;
-    let d_q1_ddot_by_I_r = -inv_q1 * by_I_r_1;
-    let d_q2_ddot_by_I_r = inv_q2 * slopes_11 - l_q2_q1 * d_q1_ddot_by_I_r;
+    let d_q1_ddot_by_I_r = -inv_q1 * (q1_ddot * (1.0 + 0.5 * n_two_n) - p.n * q2_ddot + u_q1_q2 * slopes_12);
+    let d_q2_ddot_by_I_r = inv_q2 * slopes_12 - l_q2_q1 * d_q1_ddot_by_I_r;
     // derivatives with respect to n
-    let by_n_1 = 4.0 * p.n * q1_ddot * half_I_r - p.I_r * q2_ddot + l_q2_q1 * slopes_12;
-    let d_q1_ddot_by_n = -inv_q1 * by_n_1;
-    let d_q2_ddot_by_n = inv_q2 * slopes_12 - l_q2_q1 * d_q1_ddot_by_n;
+    let d_q1_ddot_by_n = -inv_q1 * (4.0 * p.n * q1_ddot * half_I_r - p.I_r * q2_ddot + u_q1_q2 * slopes_13);
+    let d_q2_ddot_by_n = inv_q2 * slopes_13 - l_q2_q1 * d_q1_ddot_by_n;
     // derivatives with respect to b_1
     let d_q1_ddot_by_b_1 = -inv_q1 * v.q1;
     // derivatives with respect to b_2
-    let d_q1_ddot_by_b_2 = inv_q1 * l_q2_q1 * v.q2;
+    let d_q1_ddot_by_b_2 = inv_q1 * u_q1_q2 * v.q2;
     let d_q2_ddot_by_b_2 = -inv_q2 * v.q2 - l_q2_q1 * d_q1_ddot_by_b_2;
     // derivatives with respect to c_f1
     let d_q1_ddot_by_c_f1 = -1.5707963267948966 * inv_q1 * tanh_q1_dot_per_v_c;
     // derivatives with respect to c_f2
     let by_c_f2_1 = 1.5707963267948966 * tanh_q2_dot_per_v_c;
-    let d_q1_ddot_by_c_f2 = inv_q1 * l_q2_q1 * by_c_f2_1;
+    let d_q1_ddot_by_c_f2 = inv_q1 * u_q1_q2 * by_c_f2_1;
     let d_q2_ddot_by_c_f2 = -inv_q2 * by_c_f2_1 - l_q2_q1 * d_q1_ddot_by_c_f2;
     positive(M_q2_q2, 1)?;
     positive(pivot_q1, 0)?;
@@ -874,17 +875,42 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 15], // q2'
         // q1''
         Parameters {
-            m_1: d_q1_ddot_by_m_1, m_2: d_q1_ddot_by_m_2, r_1: d_q1_ddot_by_r_1, r_2: d_q1_ddot_by_r_2, l_1: d_q1_ddot_by_l_1,
-            I_1: d_q1_ddot_by_I_1, I_2: d_q1_ddot_by_I_2, I_r: d_q1_ddot_by_I_r, n: d_q1_ddot_by_n, b_1: d_q1_ddot_by_b_1,
-            b_2: d_q1_ddot_by_b_2, c_f1: d_q1_ddot_by_c_f1, c_f2: d_q1_ddot_by_c_f2, v_c: d_q1_ddot_by_v_c, g: d_q1_ddot_by_g,
-        }.to_array(),
+            m_1: d_q1_ddot_by_m_1,
+            m_2: d_q1_ddot_by_m_2,
+            r_1: d_q1_ddot_by_r_1,
+            r_2: d_q1_ddot_by_r_2,
+            l_1: d_q1_ddot_by_l_1,
+            I_1: d_q1_ddot_by_I_1,
+            I_2: d_q1_ddot_by_I_2,
+            I_r: d_q1_ddot_by_I_r,
+            n: d_q1_ddot_by_n,
+            b_1: d_q1_ddot_by_b_1,
+            b_2: d_q1_ddot_by_b_2,
+            c_f1: d_q1_ddot_by_c_f1,
+            c_f2: d_q1_ddot_by_c_f2,
+            v_c: d_q1_ddot_by_v_c,
+            g: d_q1_ddot_by_g,
+        }
+        .to_array(),
         // q2''
         Parameters {
-            m_1: -l_q2_q1 * d_q1_ddot_by_m_1, m_2: d_q2_ddot_by_m_2, r_1: -l_q2_q1 * d_q1_ddot_by_r_1, r_2: d_q2_ddot_by_r_2,
-            l_1: d_q2_ddot_by_l_1, I_1: -l_q2_q1 * d_q1_ddot_by_I_1, I_2: d_q2_ddot_by_I_2, I_r: d_q2_ddot_by_I_r, n: d_q2_ddot_by_n,
-            b_1: -l_q2_q1 * d_q1_ddot_by_b_1, b_2: d_q2_ddot_by_b_2, c_f1: -l_q2_q1 * d_q1_ddot_by_c_f1, c_f2: d_q2_ddot_by_c_f2,
-            v_c: d_q2_ddot_by_v_c, g: d_q2_ddot_by_g,
-        }.to_array(),
+            m_1: -l_q2_q1 * d_q1_ddot_by_m_1,
+            m_2: d_q2_ddot_by_m_2,
+            r_1: -l_q2_q1 * d_q1_ddot_by_r_1,
+            r_2: d_q2_ddot_by_r_2,
+            l_1: d_q2_ddot_by_l_1,
+            I_1: -l_q2_q1 * d_q1_ddot_by_I_1,
+            I_2: d_q2_ddot_by_I_2,
+            I_r: d_q2_ddot_by_I_r,
+            n: d_q2_ddot_by_n,
+            b_1: -l_q2_q1 * d_q1_ddot_by_b_1,
+            b_2: d_q2_ddot_by_b_2,
+            c_f1: -l_q2_q1 * d_q1_ddot_by_c_f1,
+            c_f2: d_q2_ddot_by_c_f2,
+            v_c: d_q2_ddot_by_v_c,
+            g: d_q2_ddot_by_g,
+        }
+        .to_array(),
     ])
 }
 
@@ -970,7 +996,7 @@ impl Model for DoublePendulum {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -978,8 +1004,8 @@ impl Model for DoublePendulum {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 2, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 2, &a.to_array());
         Ok(())
     }
 
@@ -988,9 +1014,9 @@ impl Model for DoublePendulum {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -998,22 +1024,22 @@ impl Model for DoublePendulum {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

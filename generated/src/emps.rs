@@ -329,8 +329,8 @@ pub struct Linearization {
 /// [`Singular`] where the mass matrix is not positive definite.
 pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization, Singular> {
     let State { v, .. } = x;
-    // friction of q
     let tanh_q_dot_per_v_c = tanh(v.q / p.v_c);
+    // friction of q
     let d_q = p.F_0 + p.F_v * v.q + p.F_c * tanh_q_dot_per_v_c;
     // M = L^T D L and back-substitution
     let inv_q = 1.0 / p.M;
@@ -378,9 +378,9 @@ pub fn linearize_without_friction_slope(x: &State, u: &Inputs, p: &Parameters) -
 /// [`Singular`] where the mass matrix is not positive definite.
 pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64; 6]; 2], Singular> {
     let State { v, .. } = x;
-    // friction of q
     let q_dot_per_v_c = v.q / p.v_c;
     let tanh_q_dot_per_v_c = tanh(q_dot_per_v_c);
+    // friction of q
     let d_q = p.F_0 + p.F_v * v.q + p.F_c * tanh_q_dot_per_v_c;
     // M = L^T D L and back-substitution
     let inv_q = 1.0 / p.M;
@@ -392,8 +392,14 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 6], // q'
         // q''
         Parameters {
-            M: -inv_q * q_ddot, F_v: -inv_q * v.q, F_c: -tanh_q_dot_per_v_c * inv_q, F_0: -inv_q, v_c: d_q_ddot_by_v_c, G: inv_q * u.V,
-        }.to_array(),
+            M: -inv_q * q_ddot,
+            F_v: -inv_q * v.q,
+            F_c: -tanh_q_dot_per_v_c * inv_q,
+            F_0: -inv_q,
+            v_c: d_q_ddot_by_v_c,
+            G: inv_q * u.V,
+        }
+        .to_array(),
     ])
 }
 
@@ -474,7 +480,7 @@ impl Model for Emps {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -482,8 +488,8 @@ impl Model for Emps {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 1, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 1, &a.to_array());
         Ok(())
     }
 
@@ -492,9 +498,9 @@ impl Model for Emps {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -502,22 +508,22 @@ impl Model for Emps {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

@@ -236,8 +236,8 @@ impl State {
 #[must_use]
 pub fn mass_matrix(_q: &Coordinates, p: &Parameters) -> [[f64; 2]; 2] {
     let I_l = p.m * p.l * p.l / 12.0;
-    // body rod on arm
     let l_per_two = p.l / 2.0;
+    // body rod on arm
     let I_arm_xx = I_l + p.m * l_per_two * l_per_two;
     [[p.J, 0.0], [0.0, I_arm_xx]]
 }
@@ -246,19 +246,20 @@ pub fn mass_matrix(_q: &Coordinates, p: &Parameters) -> [[f64; 2]; 2] {
 #[must_use]
 pub fn bias(q: &Coordinates, _v: &Rates, p: &Parameters) -> [f64; 2] {
     let s_link = sin(q.link);
-    // friction of within
     let motor_minus_link = q.motor - q.link;
-    // spring coil
     let half_k = 0.5 * p.k;
     let quarter_k_3 = 0.25 * p.k_3;
     let two_motor_minus_link = 2.0 * motor_minus_link;
     let two_motor_minus_link_sq = 2.0 * motor_minus_link * motor_minus_link;
-    let h_motor = half_k * two_motor_minus_link + quarter_k_3 * two_motor_minus_link * two_motor_minus_link_sq;
+    // spring coil
+    let coil_1 = quarter_k_3 * two_motor_minus_link * two_motor_minus_link_sq;
     let two_motor_minus_link_2 = 2.0 * motor_minus_link;
-    let coil_1 = half_k * two_motor_minus_link_2 + quarter_k_3 * two_motor_minus_link_sq * two_motor_minus_link_2;
+    let coil_2 = quarter_k_3 * two_motor_minus_link_sq * two_motor_minus_link_2;
     // frame arm on ground
-    let n_arm_y = -p.m * p.l * p.g * s_link / 2.0;
-    [h_motor, -coil_1 - n_arm_y]
+    let n_weight_arm_y = -p.m * p.l * p.g * s_link / 2.0;
+    // kinetic energy rotor
+    let h_link = -half_k * two_motor_minus_link_2 - coil_2 - n_weight_arm_y;
+    [half_k * two_motor_minus_link + coil_1, h_link]
 }
 
 /// Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (motor, link).
@@ -271,7 +272,6 @@ pub fn velocity_products(_q: &Coordinates, _v: &Rates, _p: &Parameters) -> [f64;
 #[must_use]
 pub fn gravity(q: &Coordinates, p: &Parameters) -> [f64; 2] {
     let s_link = sin(q.link);
-    // gravity
     let g_link = p.m * p.l * p.g * s_link / 2.0;
     [0.0, g_link]
 }
@@ -300,8 +300,8 @@ pub fn input_map(_q: &Coordinates, _p: &Parameters) -> [[f64; 1]; 2] {
 #[must_use]
 pub fn kinetic_energy(_q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
     let I_l = p.m * p.l * p.l / 12.0;
-    // body rod on arm
     let l_per_two_link_dot = p.l * v.link / 2.0;
+    // body rod on arm
     let rod_1 = 0.5 * (p.m * l_per_two_link_dot * l_per_two_link_dot + I_l * v.link * v.link);
     0.5 * p.J * v.motor * v.motor + rod_1
 }
@@ -310,10 +310,9 @@ pub fn kinetic_energy(_q: &Coordinates, v: &Rates, p: &Parameters) -> f64 {
 #[must_use]
 pub fn potential_energy(q: &Coordinates, p: &Parameters) -> f64 {
     let c_link = cos(q.link);
-    // friction of within
     let motor_minus_link = q.motor - q.link;
-    // spring coil
     let motor_minus_link_sq = motor_minus_link * motor_minus_link;
+    // spring coil
     let coil_1 = 0.5 * p.k * motor_minus_link_sq + 0.25 * p.k_3 * motor_minus_link_sq * motor_minus_link_sq;
     coil_1 - p.m * p.l * p.g * c_link / 2.0
 }
@@ -325,23 +324,28 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let State { q, v } = x;
     let s_link = sin(q.link);
     let I_l = p.m * p.l * p.l / 12.0;
-    // friction of within
     let motor_minus_link = q.motor - q.link;
+    // friction of within
     let d_link = -p.c_k * (v.motor - v.link);
-    // spring coil
     let half_k = 0.5 * p.k;
     let quarter_k_3 = 0.25 * p.k_3;
     let two_motor_minus_link = 2.0 * motor_minus_link;
     let two_motor_minus_link_sq = 2.0 * motor_minus_link * motor_minus_link;
-    let h_motor = half_k * two_motor_minus_link + quarter_k_3 * two_motor_minus_link * two_motor_minus_link_sq;
+    // spring coil
+    let coil_1 = quarter_k_3 * two_motor_minus_link * two_motor_minus_link_sq;
     let two_motor_minus_link_2 = 2.0 * motor_minus_link;
-    let coil_1 = half_k * two_motor_minus_link_2 + quarter_k_3 * two_motor_minus_link_sq * two_motor_minus_link_2;
-    // body rod on arm
+    let coil_2 = quarter_k_3 * two_motor_minus_link_sq * two_motor_minus_link_2;
     let l_per_two = p.l / 2.0;
+    // body rod on arm
     let mc_arm_z = -p.m * l_per_two;
     // frame arm on ground
-    let n_arm_y = p.g * mc_arm_z * s_link - a.link * (I_l - l_per_two * mc_arm_z);
-    [p.c_m * v.motor - d_link + h_motor + p.J * a.motor - u.tau, d_link - coil_1 - n_arm_y]
+    let n_net_arm_y = p.g * mc_arm_z * s_link - a.link * (I_l - l_per_two * mc_arm_z);
+    // balance of forces
+    let balance_1 = half_k * two_motor_minus_link + coil_1 + p.J * a.motor - u.tau;
+    [
+        p.c_m * v.motor - d_link + balance_1, // motor
+        d_link - half_k * two_motor_minus_link_2 - coil_2 - n_net_arm_y, // link
+    ]
 }
 
 /// Measured outputs y(x), with scale and bias, without delay and quantization.
@@ -360,25 +364,25 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let State { q, v } = x;
     let s_link = sin(q.link);
     let I_l = p.m * p.l * p.l / 12.0;
-    // friction of within
     let motor_minus_link = q.motor - q.link;
+    // friction of within
     let d_link = -p.c_k * (v.motor - v.link);
-    // spring coil
     let half_k = 0.5 * p.k;
     let quarter_k_3 = 0.25 * p.k_3;
     let two_motor_minus_link = 2.0 * motor_minus_link;
     let two_motor_minus_link_sq = 2.0 * motor_minus_link * motor_minus_link;
-    let h_motor = half_k * two_motor_minus_link + quarter_k_3 * two_motor_minus_link * two_motor_minus_link_sq;
+    // spring coil
+    let coil_1 = quarter_k_3 * two_motor_minus_link * two_motor_minus_link_sq;
     let two_motor_minus_link_2 = 2.0 * motor_minus_link;
-    let coil_1 = half_k * two_motor_minus_link_2 + quarter_k_3 * two_motor_minus_link_sq * two_motor_minus_link_2;
-    // body rod on arm
+    let coil_2 = quarter_k_3 * two_motor_minus_link_sq * two_motor_minus_link_2;
     let l_per_two = p.l / 2.0;
+    // body rod on arm
     let mc_arm_z = -p.m * l_per_two;
     let I_arm_xx = I_l - l_per_two * mc_arm_z;
     // kinetic energy rotor
-    let h_link = -coil_1 - p.g * mc_arm_z * s_link;
+    let h_link = -half_k * two_motor_minus_link_2 - coil_2 - p.g * mc_arm_z * s_link;
     // balance of forces
-    let tau_motor = d_link - p.c_m * v.motor - h_motor + u.tau;
+    let tau_motor = d_link - p.c_m * v.motor - half_k * two_motor_minus_link - coil_1 + u.tau;
     // M = L^T D L and back-substitution
     let link_ddot = (-d_link - h_link) / I_arm_xx;
     positive(I_arm_xx, 1)?;
@@ -415,45 +419,39 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let State { q, v } = x;
     let (s_link, c_link) = sin_cos(q.link);
     let I_l = p.m * p.l * p.l / 12.0;
-    // friction of within
     let motor_minus_link = q.motor - q.link;
+    // friction of within
     let d_link = -p.c_k * (v.motor - v.link);
-    // spring coil
     let motor_minus_link_sq = motor_minus_link * motor_minus_link;
     let half_k = 0.5 * p.k;
     let quarter_k_3 = 0.25 * p.k_3;
     let two_motor_minus_link = 2.0 * motor_minus_link;
     let two_motor_minus_link_sq = 2.0 * motor_minus_link_sq;
-    let h_motor = half_k * two_motor_minus_link + quarter_k_3 * two_motor_minus_link * two_motor_minus_link_sq;
+    // spring coil
+    let coil_1 = quarter_k_3 * two_motor_minus_link * two_motor_minus_link_sq;
     let two_motor_minus_link_2 = 2.0 * motor_minus_link;
-    let coil_1 = half_k * two_motor_minus_link_2 + quarter_k_3 * two_motor_minus_link_sq * two_motor_minus_link_2;
-    // body rod on arm
+    let coil_2 = quarter_k_3 * two_motor_minus_link_sq * two_motor_minus_link_2;
     let l_per_two = p.l / 2.0;
+    // body rod on arm
     let mc_arm_z = -p.m * l_per_two;
     let I_arm_xx = I_l - l_per_two * mc_arm_z;
     // kinetic energy rotor
-    let h_link = -coil_1 - p.g * mc_arm_z * s_link;
+    let h_link = -half_k * two_motor_minus_link_2 - coil_2 - p.g * mc_arm_z * s_link;
     // balance of forces
-    let tau_motor = d_link - p.c_m * v.motor - h_motor + u.tau;
+    let tau_motor = d_link - p.c_m * v.motor - half_k * two_motor_minus_link - coil_1 + u.tau;
     // M = L^T D L and back-substitution
     let inv_link = 1.0 / I_arm_xx;
     let inv_motor = 1.0 / p.J;
-    // derivatives with respect to motor
     let four_motor_minus_link = 4.0 * motor_minus_link;
     let four_motor_minus_link_sq = 4.0 * motor_minus_link_sq;
+    // derivatives with respect to motor
+    let by_motor_1 = p.k + quarter_k_3 * (four_motor_minus_link_sq + two_motor_minus_link * four_motor_minus_link);
     let four_motor_minus_link_sq_2 = 4.0 * motor_minus_link_sq;
-    let d_motor_ddot_by_motor =
-        -inv_motor
-            * (p.k + quarter_k_3 * (four_motor_minus_link_sq + two_motor_minus_link * four_motor_minus_link));
-    let d_link_ddot_by_motor =
-        inv_link
-            * (p.k - quarter_k_3 * (-two_motor_minus_link_2 * four_motor_minus_link - four_motor_minus_link_sq_2));
-    // derivatives with respect to link
+    let by_motor_2 = p.k - quarter_k_3 * (-two_motor_minus_link_2 * four_motor_minus_link - four_motor_minus_link_sq_2);
     let four_motor_minus_link_2 = 4.0 * motor_minus_link;
+    // derivatives with respect to link
     let by_link_1 = p.k + quarter_k_3 * (four_motor_minus_link_sq + two_motor_minus_link_2 * four_motor_minus_link_2);
-    let d_motor_ddot_by_link =
-        inv_motor
-            * (p.k - quarter_k_3 * (-four_motor_minus_link_sq_2 - two_motor_minus_link * four_motor_minus_link_2));
+    let by_link_2 = p.k - quarter_k_3 * (-four_motor_minus_link_sq_2 - two_motor_minus_link * four_motor_minus_link_2);
     let d_link_ddot_by_link = -inv_link * (by_link_1 - p.g * mc_arm_z * c_link);
     // derivatives with respect to motor_dot
     let d_link_ddot_by_motor_dot = p.c_k * inv_link;
@@ -464,8 +462,8 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
         a: [
             [0.0, 0.0, 1.0, 0.0], // motor'
             [0.0, 0.0, 0.0, 1.0], // link'
-            [d_motor_ddot_by_motor, d_motor_ddot_by_link, -inv_motor * (p.c_k + p.c_m), p.c_k * inv_motor], // motor''
-            [d_link_ddot_by_motor, d_link_ddot_by_link, d_link_ddot_by_motor_dot, -d_link_ddot_by_motor_dot], // link''
+            [-inv_motor * by_motor_1, inv_motor * by_link_2, -inv_motor * (p.c_k + p.c_m), p.c_k * inv_motor], // motor''
+            [inv_link * by_motor_2, d_link_ddot_by_link, d_link_ddot_by_motor_dot, -d_link_ddot_by_motor_dot], // link''
         ],
         b: [[0.0], [0.0], [inv_motor], [0.0]],
     })
@@ -479,41 +477,41 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let State { q, v } = x;
     let s_link = sin(q.link);
     let l_sq = p.l * p.l;
-    // friction of within
     let motor_minus_link = q.motor - q.link;
     let motor_dot_minus_link_dot = v.motor - v.link;
+    // friction of within
     let d_link = -p.c_k * motor_dot_minus_link_dot;
-    // spring coil
     let half_k = 0.5 * p.k;
     let quarter_k_3 = 0.25 * p.k_3;
     let two_motor_minus_link = 2.0 * motor_minus_link;
     let two_motor_minus_link_sq = 2.0 * motor_minus_link * motor_minus_link;
+    // spring coil
     let coil_1 = two_motor_minus_link * two_motor_minus_link_sq;
     let h_motor = half_k * two_motor_minus_link + quarter_k_3 * coil_1;
     let two_motor_minus_link_2 = 2.0 * motor_minus_link;
     let coil_2 = two_motor_minus_link_sq * two_motor_minus_link_2;
-    // body rod on arm
+    let coil_3 = half_k * two_motor_minus_link_2 + quarter_k_3 * coil_2;
     let l_per_two = p.l / 2.0;
+    // body rod on arm
     let mc_arm_z = -p.m * l_per_two;
     let I_arm_xx = p.m * l_sq / 12.0 - l_per_two * mc_arm_z;
     // frame arm on ground
     let a_arm_x = p.g * s_link;
-    // kinetic energy rotor
-    let h_link = -half_k * two_motor_minus_link_2 - quarter_k_3 * coil_2 - mc_arm_z * a_arm_x;
     // balance of forces
     let tau_motor = d_link - p.c_m * v.motor - h_motor + u.tau;
+    let tau_link = coil_3 - d_link + mc_arm_z * a_arm_x;
     // M = L^T D L and back-substitution
     let inv_link = 1.0 / I_arm_xx;
     let inv_motor = 1.0 / p.J;
-    let link_ddot = inv_link * (-d_link - h_link);
-    // derivatives with respect to l
+    let link_ddot = tau_link * inv_link;
     let half_m = 0.5 * p.m;
-    let by_l_1 = 2.0 * p.m * p.l / 12.0 - 0.5 * mc_arm_z + l_per_two * half_m;
-    let d_link_ddot_by_l = -inv_link * (a_arm_x * half_m + link_ddot * by_l_1);
     // slopes of the balance of forces, at the accelerations found
     let slopes_1 = link_ddot * (l_sq / 12.0 + l_per_two * l_per_two);
+    let slopes_2 = link_ddot * (2.0 * p.m * p.l / 12.0 - 0.5 * mc_arm_z + l_per_two * half_m);
     // derivatives with respect to m
     let d_link_ddot_by_m = -inv_link * (l_per_two * a_arm_x + slopes_1);
+    // derivatives with respect to l
+    let d_link_ddot_by_l = -inv_link * (a_arm_x * half_m + slopes_2);
     positive(I_arm_xx, 1)?;
     positive(p.J, 0)?;
     Ok([
@@ -521,14 +519,25 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         [0.0; 8], // link'
         // motor''
         Parameters {
-            J: -inv_motor * tau_motor * inv_motor, k: inv_motor * (q.link - q.motor), k_3: -0.25 * inv_motor * coil_1,
-            c_k: inv_motor * (v.link - v.motor), c_m: -inv_motor * v.motor,
-        ..Parameters::ZERO }.to_array(),
+            J: -inv_motor * tau_motor * inv_motor,
+            k: inv_motor * (q.link - q.motor),
+            k_3: -0.25 * inv_motor * coil_1,
+            c_k: inv_motor * (v.link - v.motor),
+            c_m: -inv_motor * v.motor,
+            ..Parameters::ZERO
+        }
+        .to_array(),
         // link''
         Parameters {
-            m: d_link_ddot_by_m, l: d_link_ddot_by_l, k: motor_minus_link * inv_link, k_3: 0.25 * inv_link * coil_2,
-            c_k: motor_dot_minus_link_dot * inv_link, g: mc_arm_z * inv_link * s_link,
-        ..Parameters::ZERO }.to_array(),
+            m: d_link_ddot_by_m,
+            l: d_link_ddot_by_l,
+            k: motor_minus_link * inv_link,
+            k_3: 0.25 * inv_link * coil_2,
+            c_k: motor_dot_minus_link_dot * inv_link,
+            g: mc_arm_z * inv_link * s_link,
+            ..Parameters::ZERO
+        }
+        .to_array(),
     ])
 }
 
@@ -610,7 +619,7 @@ impl Model for FlexibleJoint {
     }
 
     fn nominal(&self, p: &mut [f64]) {
-        runtime::write(p, &Parameters::NOMINAL.to_array());
+        runtime::write(p, 0, &Parameters::NOMINAL.to_array());
     }
 
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
@@ -618,8 +627,8 @@ impl Model for FlexibleJoint {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let a = forward_dynamics(&x, &u, &p)?;
-        runtime::write_at(dx, 0, &x.v.to_array());
-        runtime::write_at(dx, 2, &a.to_array());
+        runtime::write(dx, 0, &x.v.to_array());
+        runtime::write(dx, 2, &a.to_array());
         Ok(())
     }
 
@@ -628,9 +637,9 @@ impl Model for FlexibleJoint {
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
         let linear = linearize(&x, &u, &p)?;
-        runtime::write(dx, &linear.dx);
-        runtime::write(a, linear.a.as_flattened());
-        runtime::write(b, linear.b.as_flattened());
+        runtime::write(dx, 0, &linear.dx);
+        runtime::write_rows(a, &linear.a);
+        runtime::write_rows(b, &linear.b);
         Ok(())
     }
 
@@ -638,22 +647,22 @@ impl Model for FlexibleJoint {
         let x = State::from_array(runtime::array(x));
         let u = Inputs::from_array(runtime::array(u));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(dfdp, parameter_jacobian(&x, &u, &p)?.as_flattened());
+        runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
-        runtime::write(y, &outputs(&x, &p).to_array());
+        runtime::write(y, 0, &outputs(&x, &p).to_array());
     }
 
     fn output_jacobian(&self, _t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]) {
         let x = State::from_array(runtime::array(x));
         let p = Parameters::from_array(runtime::array(p));
         let slopes = output_jacobian(&x, &p);
-        runtime::write(c, slopes.by_x.as_flattened());
-        runtime::write(dhdp, slopes.by_p.as_flattened());
+        runtime::write_rows(c, &slopes.by_x);
+        runtime::write_rows(dhdp, &slopes.by_p);
     }
 
     fn input_path(&self, i: usize, _p: &[f64]) -> InputPath {

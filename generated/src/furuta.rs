@@ -1,10 +1,10 @@
 //! Furuta pendulum (QUBE-Servo 2).
-//! Generated from `furuta.rig` (model 2cb38b95); edit the rig, not this file.
+//! Generated from `furuta.rig` (model 060d2e34); edit the rig, not this file.
 //!
 //! Uniform thin rods as in Quanser's QUBE-Servo 2 data sheet, motor rotor and hub on the arm's axis.
 //! alpha = 0 hangs down; theta about the upright axis, alpha about the arm.
 //!
-//! 78 operations forward, 190 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 69 operations forward, 160 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]
@@ -257,19 +257,16 @@ pub fn bias(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2] {
     // frame pendulum on arm
     let omega_pendulum_y = s_alpha * v.theta;
     let omega_pendulum_z = c_alpha * v.theta;
+    let pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     let f_moving_pendulum_z = -mc_pendulum_z * (v.alpha * v.alpha + omega_pendulum_y * omega_pendulum_y);
-    let I_pendulum_xx_alpha_dot = I_pendulum_xx * v.alpha;
-    let pendulum_1 = I_pendulum_xx * omega_pendulum_y;
-    let n_moving_pendulum_z = pendulum_1 * v.alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    let pendulum_2 = I_pendulum_xx * omega_pendulum_z * v.alpha + omega_pendulum_z * I_pendulum_xx_alpha_dot;
-    let n_moving_pendulum_y = pendulum_2 - p.r * mc_pendulum_z * v.theta * v.theta;
-    let n_moving_pendulum_1_z = n_moving_pendulum_y * s_alpha + n_moving_pendulum_z * c_alpha;
+    let n_moving_pendulum_y = 2.0 * I_pendulum_xx * omega_pendulum_z * v.alpha - p.r * mc_pendulum_z * v.theta * v.theta;
     let a_pendulum_y = p.g * s_alpha;
-    let f_pendulum_y = p.m_p * a_pendulum_y + mc_pendulum_z * omega_pendulum_y * omega_pendulum_z;
+    let f_pendulum_y = p.m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
     let f_pendulum_z = f_moving_pendulum_z + p.m_p * p.g * c_alpha;
-    let n_pendulum_x = -mc_pendulum_z * a_pendulum_y - omega_pendulum_z * pendulum_1;
+    let n_pendulum_x = -mc_pendulum_z * a_pendulum_y - I_pendulum_xx * pendulum_1;
     let f_pendulum_1_y = f_pendulum_y * c_alpha - f_pendulum_z * s_alpha;
-    [n_moving_pendulum_1_z + p.r * f_pendulum_1_y, n_pendulum_x]
+    let n_arm_z = n_moving_pendulum_y * s_alpha + p.r * f_pendulum_1_y;
+    [n_arm_z, n_pendulum_x]
 }
 
 /// Velocity products C(q, v) v [N m]: Coriolis and centrifugal terms; rows (theta, alpha).
@@ -284,16 +281,12 @@ pub fn velocity_products(q: &Coordinates, v: &Rates, p: &Parameters) -> [f64; 2]
     // frame pendulum on arm
     let omega_pendulum_y = s_alpha * v.theta;
     let omega_pendulum_z = c_alpha * v.theta;
+    let pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     let f_moving_pendulum_z = -mc_pendulum_z * (v.alpha * v.alpha + omega_pendulum_y * omega_pendulum_y);
-    let I_pendulum_xx_alpha_dot = I_pendulum_xx * v.alpha;
-    let pendulum_1 = I_pendulum_xx * omega_pendulum_y;
-    let n_moving_pendulum_z = pendulum_1 * v.alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    let pendulum_2 = I_pendulum_xx * omega_pendulum_z * v.alpha + omega_pendulum_z * I_pendulum_xx_alpha_dot;
-    let n_moving_pendulum_y = pendulum_2 - p.r * mc_pendulum_z * v.theta * v.theta;
-    let pendulum_3 = mc_pendulum_z * omega_pendulum_y * omega_pendulum_z * c_alpha;
-    let n_moving_pendulum_1_z = n_moving_pendulum_y * s_alpha + n_moving_pendulum_z * c_alpha;
-    let n_moving_arm_z = n_moving_pendulum_1_z - p.r * (f_moving_pendulum_z * s_alpha - pendulum_3);
-    [n_moving_arm_z, -omega_pendulum_z * pendulum_1]
+    let n_moving_pendulum_y = 2.0 * I_pendulum_xx * omega_pendulum_z * v.alpha - p.r * mc_pendulum_z * v.theta * v.theta;
+    let f_moving_pendulum_1_y = mc_pendulum_z * pendulum_1 * c_alpha - f_moving_pendulum_z * s_alpha;
+    let n_moving_arm_z = n_moving_pendulum_y * s_alpha + p.r * f_moving_pendulum_1_y;
+    [n_moving_arm_z, -I_pendulum_xx * pendulum_1]
 }
 
 /// Generalized gravity g(q) [N m]: what holds the rig still; rows (theta, alpha).
@@ -370,27 +363,23 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     // frame pendulum on arm
     let omega_pendulum_y = s_alpha * v.theta;
     let omega_pendulum_z = c_alpha * v.theta;
+    let alpha_pendulum_y = omega_pendulum_z * v.alpha;
+    let pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     let f_moving_pendulum_z = -mc_pendulum_z * (v.alpha * v.alpha + omega_pendulum_y * omega_pendulum_y);
-    let I_pendulum_xx_alpha_dot = I_pendulum_xx * v.alpha;
-    let pendulum_1 = I_pendulum_xx * omega_pendulum_y;
-    let n_moving_pendulum_z = pendulum_1 * v.alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    let alpha_pendulum_y = omega_pendulum_z * v.alpha + s_alpha * a.theta;
-    let pendulum_2 = omega_pendulum_z * I_pendulum_xx_alpha_dot + I_pendulum_xx * alpha_pendulum_y;
+    let pendulum_2 = I_pendulum_xx * alpha_pendulum_y + I_pendulum_xx * (alpha_pendulum_y + s_alpha * a.theta);
     let n_net_pendulum_y = pendulum_2 - p.r * mc_pendulum_z * v.theta * v.theta;
-    let n_net_pendulum_1_z = n_moving_pendulum_z * c_alpha + n_net_pendulum_y * s_alpha;
     // gravity
     let a_pendulum_1_y = p.r * a.theta;
     // frame pendulum on arm
     let a_pendulum_y = p.g * s_alpha + a_pendulum_1_y * c_alpha;
     let a_pendulum_z = p.g * c_alpha - a_pendulum_1_y * s_alpha;
-    let f_net_pendulum_y = p.m_p * a_pendulum_y + mc_pendulum_z * (omega_pendulum_y * omega_pendulum_z - a.alpha);
-    let n_net_pendulum_x = I_pendulum_xx * a.alpha - mc_pendulum_z * a_pendulum_y - omega_pendulum_z * pendulum_1;
+    let f_net_pendulum_y = p.m_p * a_pendulum_y + mc_pendulum_z * (pendulum_1 - a.alpha);
+    let n_net_pendulum_x = I_pendulum_xx * a.alpha - mc_pendulum_z * a_pendulum_y - I_pendulum_xx * pendulum_1;
     let pendulum_3 = s_alpha * (f_moving_pendulum_z + p.m_p * a_pendulum_z);
-    let pendulum_1_1 = n_net_pendulum_1_z + p.r * (f_net_pendulum_y * c_alpha - pendulum_3);
-    [
-        I_arm_yy * a.theta + pendulum_1_1 - u.tau + a.theta * (p.J_m + p.J_h), // theta
-        n_net_pendulum_x, // alpha
-    ]
+    let pendulum_1_1 = p.r * (f_net_pendulum_y * c_alpha - pendulum_3);
+    // frame arm on ground
+    let n_net_arm_z = I_arm_yy * a.theta + n_net_pendulum_y * s_alpha + pendulum_1_1;
+    [n_net_arm_z - u.tau + a.theta * (p.J_m + p.J_h), n_net_pendulum_x]
 }
 
 /// Measured outputs y(x), with scale and bias, without delay and quantization.
@@ -400,8 +389,8 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.theta, q.alpha])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
-/// 78 operations.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/// 69 operations.
 ///
 /// # Errors
 /// [`Singular`] where the mass matrix is not positive definite.
@@ -420,32 +409,27 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     // frame pendulum on arm
     let omega_pendulum_y = s_alpha * v.theta;
     let omega_pendulum_z = c_alpha * v.theta;
+    let pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     let f_moving_pendulum_z = -mc_pendulum_z * (v.alpha * v.alpha + omega_pendulum_y * omega_pendulum_y);
-    let I_pendulum_xx_alpha_dot = I_pendulum_xx * v.alpha;
-    let pendulum_1 = I_pendulum_xx * omega_pendulum_y;
-    let n_moving_pendulum_z = pendulum_1 * v.alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    let pendulum_2 = I_pendulum_xx * omega_pendulum_z * v.alpha + omega_pendulum_z * I_pendulum_xx_alpha_dot;
-    let n_moving_pendulum_y = pendulum_2 - p.r * mc_pendulum_z * v.theta * v.theta;
-    let n_moving_pendulum_1_z = n_moving_pendulum_y * s_alpha + n_moving_pendulum_z * c_alpha;
+    let n_moving_pendulum_y = 2.0 * I_pendulum_xx * omega_pendulum_z * v.alpha - p.r * mc_pendulum_z * v.theta * v.theta;
     let a_pendulum_y = p.g * s_alpha;
-    let f_pendulum_y = p.m_p * a_pendulum_y + mc_pendulum_z * omega_pendulum_y * omega_pendulum_z;
+    let f_pendulum_y = p.m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
     let f_pendulum_z = f_moving_pendulum_z + p.m_p * p.g * c_alpha;
     let f_pendulum_1_y = f_pendulum_y * c_alpha - f_pendulum_z * s_alpha;
+    let M_theta_alpha = -p.r * mc_pendulum_z * c_alpha;
+    let n_arm_z = n_moving_pendulum_y * s_alpha + p.r * f_pendulum_1_y;
     // frame arm on ground
     let arm_1 = I_arm_yy + I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p.r * p.r * p.m_p;
-    // kinetic energy rotor
-    let M_theta_theta = arm_1 + p.J_m + p.J_h;
     // balance of forces
-    let tau_theta = u.tau - n_moving_pendulum_1_z - p.r * f_pendulum_1_y;
-    let tau_alpha = omega_pendulum_z * pendulum_1 + mc_pendulum_z * a_pendulum_y;
-    // M = L D L^T and back-substitution
-    let inv_theta = 1.0 / M_theta_theta;
-    let l_alpha_theta = -p.r * mc_pendulum_z * inv_theta * c_alpha;
-    let pivot_alpha = I_pendulum_xx - l_alpha_theta * M_theta_theta * l_alpha_theta;
-    let alpha_ddot = (tau_alpha - tau_theta * l_alpha_theta) / pivot_alpha;
-    let theta_ddot = tau_theta * inv_theta - l_alpha_theta * alpha_ddot;
-    positive(M_theta_theta, 0)?;
-    positive(pivot_alpha, 1)?;
+    let tau_alpha = I_pendulum_xx * pendulum_1 + mc_pendulum_z * a_pendulum_y;
+    // M = L^T D L and back-substitution
+    let inv_alpha = 1.0 / I_pendulum_xx;
+    let l_alpha_theta = M_theta_alpha * inv_alpha;
+    let pivot_theta = arm_1 + p.J_m + p.J_h - M_theta_alpha * l_alpha_theta;
+    let theta_ddot = (u.tau - n_arm_z - tau_alpha * l_alpha_theta) / pivot_theta;
+    let alpha_ddot = tau_alpha * inv_alpha - l_alpha_theta * theta_ddot;
+    positive(I_pendulum_xx, 1)?;
+    positive(pivot_theta, 0)?;
     Ok(Accelerations::from_array([theta_ddot, alpha_ddot]))
 }
 
@@ -461,7 +445,7 @@ pub struct Linearization {
 }
 
 /// State derivative and its Jacobians A, B, exact, at any state.
-/// 190 operations.
+/// 160 operations.
 ///
 /// Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
 /// ```text
@@ -490,89 +474,74 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let omega_pendulum_y = s_alpha * v.theta;
     let omega_pendulum_z = c_alpha * v.theta;
     let alpha_pendulum_y = omega_pendulum_z * v.alpha;
+    let alpha_pendulum_z = -omega_pendulum_y * v.alpha;
     let pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     let omega_pendulum_y_sq = omega_pendulum_y * omega_pendulum_y;
     let f_moving_pendulum_z = -mc_pendulum_z * (v.alpha * v.alpha + omega_pendulum_y_sq);
-    let I_pendulum_xx_alpha_dot = I_pendulum_xx * v.alpha;
-    let pendulum_2 = I_pendulum_xx * omega_pendulum_y;
-    let pendulum_3 = omega_pendulum_z * I_pendulum_xx_alpha_dot;
-    let pendulum_4 = omega_pendulum_y * I_pendulum_xx_alpha_dot;
-    let n_moving_pendulum_z = pendulum_2 * v.alpha - pendulum_4;
+    let pendulum_2 = I_pendulum_xx * alpha_pendulum_y;
     let r_mc_pendulum_z_theta_dot_sq = p.r * mc_pendulum_z * v.theta * v.theta;
-    let n_moving_pendulum_y = I_pendulum_xx * alpha_pendulum_y - r_mc_pendulum_z_theta_dot_sq + pendulum_3;
-    let n_moving_pendulum_1_z = n_moving_pendulum_y * s_alpha + n_moving_pendulum_z * c_alpha;
+    let n_moving_pendulum_1_z = s_alpha * (2.0 * pendulum_2 - r_mc_pendulum_z_theta_dot_sq);
     let a_pendulum_y = p.g * s_alpha;
     let a_pendulum_z = p.g * c_alpha;
     let f_pendulum_y = p.m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
     let f_pendulum_1_y = f_pendulum_y * c_alpha - s_alpha * (f_moving_pendulum_z + p.m_p * a_pendulum_z);
+    let M_theta_alpha = -p.r * mc_pendulum_z * c_alpha;
     // frame arm on ground
     let arm_1 = I_arm_yy + I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p.r * p.r * p.m_p;
-    // kinetic energy rotor
-    let M_theta_theta = arm_1 + p.J_m + p.J_h;
     // balance of forces
     let tau_theta = u.tau - n_moving_pendulum_1_z - p.r * f_pendulum_1_y;
-    let tau_alpha = omega_pendulum_z * pendulum_2 + mc_pendulum_z * a_pendulum_y;
-    // M = L D L^T and back-substitution
-    let inv_theta = 1.0 / M_theta_theta;
-    let l_alpha_theta = -p.r * mc_pendulum_z * inv_theta * c_alpha;
-    let pivot_alpha = I_pendulum_xx - l_alpha_theta * M_theta_theta * l_alpha_theta;
-    let inv_alpha = 1.0 / pivot_alpha;
-    let alpha_ddot = inv_alpha * (tau_alpha - tau_theta * l_alpha_theta);
-    let theta_ddot = tau_theta * inv_theta - l_alpha_theta * alpha_ddot;
-    let two_omega_pendulum_y = 2.0 * omega_pendulum_y;
+    let tau_alpha = I_pendulum_xx * pendulum_1 + mc_pendulum_z * a_pendulum_y;
+    // M = L^T D L and back-substitution
+    let inv_alpha = 1.0 / I_pendulum_xx;
+    let l_alpha_theta = M_theta_alpha * inv_alpha;
+    let pivot_theta = arm_1 + p.J_m + p.J_h - M_theta_alpha * l_alpha_theta;
+    let inv_theta = 1.0 / pivot_theta;
+    let theta_ddot = inv_theta * (tau_theta - tau_alpha * l_alpha_theta);
+    let alpha_ddot = tau_alpha * inv_alpha - l_alpha_theta * theta_ddot;
     // derivatives with respect to alpha
-    let by_alpha_1 = I_pendulum_xx * omega_pendulum_z;
-    let by_alpha_2 = c_alpha * (by_alpha_1 * v.alpha - pendulum_3);
-    let by_alpha_3 = omega_pendulum_y * pendulum_2 - omega_pendulum_z * by_alpha_1;
-    let I_pendulum_xx_s_alpha = I_pendulum_xx * s_alpha;
+    let by_alpha_1 = omega_pendulum_z * omega_pendulum_z - omega_pendulum_y_sq;
+    let two_omega_pendulum_y = 2.0 * omega_pendulum_y;
     // derivatives with respect to theta_dot
-    let by_theta_dot_1 = pendulum_2 * c_alpha + omega_pendulum_z * I_pendulum_xx_s_alpha;
-    let by_theta_dot_2 = c_alpha * (I_pendulum_xx_s_alpha * v.alpha - I_pendulum_xx_alpha_dot * s_alpha);
-    let by_theta_dot_3 = mc_pendulum_z * (omega_pendulum_z * s_alpha + omega_pendulum_y * c_alpha);
-    let by_theta_dot_4 = I_pendulum_xx_alpha_dot * c_alpha + I_pendulum_xx * c_alpha * v.alpha;
-    let by_theta_dot_5 = mc_pendulum_z * two_omega_pendulum_y * s_alpha * s_alpha;
-    let by_theta_dot_6 = by_theta_dot_2 + s_alpha * (by_theta_dot_4 - 2.0 * p.r * mc_pendulum_z * v.theta);
-    let by_theta_dot_7 = p.r * (-by_theta_dot_3 * c_alpha - by_theta_dot_5) - by_theta_dot_6;
-    let d_alpha_ddot_by_theta_dot = inv_alpha * (by_theta_dot_1 - l_alpha_theta * by_theta_dot_7);
-    let d_theta_ddot_by_theta_dot = inv_theta * by_theta_dot_7 - l_alpha_theta * d_alpha_ddot_by_theta_dot;
+    let by_theta_dot_1 = omega_pendulum_z * s_alpha + omega_pendulum_y * c_alpha;
+    let I_pendulum_xx_by_theta_dot_1 = I_pendulum_xx * by_theta_dot_1;
+    let by_theta_dot_2 = 2.0 * I_pendulum_xx * c_alpha * v.alpha - 2.0 * p.r * mc_pendulum_z * v.theta;
+    let by_theta_dot_3 = mc_pendulum_z * two_omega_pendulum_y * s_alpha * s_alpha;
+    let by_theta_dot_4 = p.r * (-mc_pendulum_z * by_theta_dot_1 * c_alpha - by_theta_dot_3);
+    let by_theta_dot_5 = by_theta_dot_4 - by_theta_dot_2 * s_alpha - l_alpha_theta * I_pendulum_xx_by_theta_dot_1;
+    let d_theta_ddot_by_theta_dot = inv_theta * by_theta_dot_5;
+    let d_alpha_ddot_by_theta_dot = inv_alpha * I_pendulum_xx_by_theta_dot_1 - l_alpha_theta * d_theta_ddot_by_theta_dot;
     // derivatives with respect to alpha_dot
-    let by_alpha_dot_1 = 2.0 * p.r * mc_pendulum_z * s_alpha * v.alpha;
-    let by_alpha_dot_2 = by_alpha_dot_1 + 2.0 * by_alpha_1 * s_alpha;
-    let d_alpha_ddot_by_alpha_dot = inv_alpha * l_alpha_theta * by_alpha_dot_2;
-    let d_theta_ddot_by_alpha_dot = -inv_theta * by_alpha_dot_2 - l_alpha_theta * d_alpha_ddot_by_alpha_dot;
+    let by_alpha_dot_1 = 2.0 * I_pendulum_xx * omega_pendulum_z * s_alpha;
+    let d_theta_ddot_by_alpha_dot = inv_theta * (-2.0 * p.r * mc_pendulum_z * s_alpha * v.alpha - by_alpha_dot_1);
     let r_theta_ddot = p.r * theta_ddot;
     // slopes of the balance of forces, at the accelerations found
     let slopes_1 = a_pendulum_z - r_theta_ddot * s_alpha;
     let slopes_2 = p.m_p * (a_pendulum_y + r_theta_ddot * c_alpha);
     let m_p_slopes_1 = p.m_p * slopes_1;
-    let slopes_3 = pendulum_3 + I_pendulum_xx * (alpha_pendulum_y + theta_ddot * s_alpha);
+    let slopes_3 = pendulum_2 + I_pendulum_xx * (alpha_pendulum_y + theta_ddot * s_alpha);
     let slopes_4 = s_alpha * (slopes_2 + mc_pendulum_z * (pendulum_1 - alpha_ddot));
     let slopes_5 = c_alpha * (slopes_3 - r_mc_pendulum_z_theta_dot_sq);
-    let slopes_6 = m_p_slopes_1 + mc_pendulum_z * (omega_pendulum_z * omega_pendulum_z - omega_pendulum_y_sq);
-    let slopes_7 = I_pendulum_xx * (theta_ddot * c_alpha - omega_pendulum_y * v.alpha) - pendulum_4;
+    let slopes_6 = I_pendulum_xx * (theta_ddot * c_alpha + alpha_pendulum_z) + I_pendulum_xx * alpha_pendulum_z;
+    let slopes_7 = c_alpha * (m_p_slopes_1 + mc_pendulum_z * by_alpha_1);
     let slopes_8 = s_alpha * (-mc_pendulum_z * omega_pendulum_z * two_omega_pendulum_y - slopes_2);
     let slopes_9 = c_alpha * (f_moving_pendulum_z + m_p_slopes_1) + slopes_8;
-    let slopes_10 = slopes_5 + slopes_7 * s_alpha;
-    let slopes_11 = by_alpha_2 - n_moving_pendulum_z * s_alpha + slopes_10;
-    let slopes_12 = p.r * (slopes_6 * c_alpha - slopes_4 - slopes_9);
-    let slopes_11_plus_slopes_12 = slopes_11 + slopes_12;
+    let slopes_10 = p.r * (slopes_7 - slopes_4 - slopes_9);
+    let slopes_11 = slopes_5 + slopes_6 * s_alpha + slopes_10;
     // derivatives with respect to alpha
-    let by_alpha_4 = l_alpha_theta * slopes_11_plus_slopes_12 - by_alpha_3 + mc_pendulum_z * slopes_1;
-    let d_alpha_ddot_by_alpha = inv_alpha * by_alpha_4;
-    let d_theta_ddot_by_alpha = -inv_theta * slopes_11_plus_slopes_12 - l_alpha_theta * d_alpha_ddot_by_alpha;
-    // derivatives with respect to tau
-    let d_alpha_ddot_by_tau = -l_alpha_theta * inv_alpha;
-    positive(M_theta_theta, 0)?;
-    positive(pivot_alpha, 1)?;
+    let by_alpha_2 = I_pendulum_xx * by_alpha_1 + mc_pendulum_z * slopes_1;
+    let d_theta_ddot_by_alpha = -inv_theta * (slopes_11 + l_alpha_theta * by_alpha_2);
+    let d_alpha_ddot_by_alpha = inv_alpha * by_alpha_2 - l_alpha_theta * d_theta_ddot_by_alpha;
+    positive(I_pendulum_xx, 1)?;
+    positive(pivot_theta, 0)?;
     Ok(Linearization {
         dx: [v.theta, v.alpha, theta_ddot, alpha_ddot],
         a: [
             [0.0, 0.0, 1.0, 0.0], // theta'
             [0.0, 0.0, 0.0, 1.0], // alpha'
             [0.0, d_theta_ddot_by_alpha, d_theta_ddot_by_theta_dot, d_theta_ddot_by_alpha_dot], // theta''
-            [0.0, d_alpha_ddot_by_alpha, d_alpha_ddot_by_theta_dot, d_alpha_ddot_by_alpha_dot], // alpha''
+            [0.0, d_alpha_ddot_by_alpha, d_alpha_ddot_by_theta_dot, -l_alpha_theta * d_theta_ddot_by_alpha_dot], // alpha''
         ],
-        b: [[0.0], [0.0], [inv_theta - l_alpha_theta * d_alpha_ddot_by_tau], [d_alpha_ddot_by_tau]],
+        b: [[0.0], [0.0], [inv_theta], [-l_alpha_theta * inv_theta]],
     })
 }
 
@@ -600,36 +569,28 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let pendulum_1 = omega_pendulum_y * omega_pendulum_z;
     let pendulum_2 = v.alpha * v.alpha + omega_pendulum_y * omega_pendulum_y;
     let f_moving_pendulum_z = -mc_pendulum_z * pendulum_2;
-    let I_pendulum_xx_alpha_dot = I_pendulum_xx * v.alpha;
-    let pendulum_3 = I_pendulum_xx * omega_pendulum_y;
-    let n_moving_pendulum_z = pendulum_3 * v.alpha - omega_pendulum_y * I_pendulum_xx_alpha_dot;
     let a_pendulum_y = p.g * s_alpha;
     let a_pendulum_z = p.g * c_alpha;
     let f_pendulum_y = p.m_p * a_pendulum_y + mc_pendulum_z * pendulum_1;
     let f_pendulum_1_y = f_pendulum_y * c_alpha - s_alpha * (f_moving_pendulum_z + p.m_p * a_pendulum_z);
+    let mc_pendulum_z_s_alpha = mc_pendulum_z * s_alpha;
+    let M_theta_alpha = -p.r * mc_pendulum_z * c_alpha;
     let theta_dot_sq = v.theta * v.theta;
     // frame arm on ground
     let arm_1 = I_arm_yy + I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p.r * p.r * p.m_p;
     // frame pendulum on arm
     let a_pendulum_1_x = -p.r * theta_dot_sq;
-    let n_moving_pendulum_y = mc_pendulum_z * a_pendulum_1_x
-        + I_pendulum_xx * alpha_pendulum_y
-        + omega_pendulum_z * I_pendulum_xx_alpha_dot;
-    let n_moving_pendulum_1_z = n_moving_pendulum_y * s_alpha + n_moving_pendulum_z * c_alpha;
-    // kinetic energy rotor
-    let M_theta_theta = arm_1 + p.J_m + p.J_h;
+    let n_moving_pendulum_y = mc_pendulum_z * a_pendulum_1_x + 2.0 * I_pendulum_xx * alpha_pendulum_y;
+    let n_arm_z = n_moving_pendulum_y * s_alpha + p.r * f_pendulum_1_y;
     // balance of forces
-    let tau_theta = u.tau - n_moving_pendulum_1_z - p.r * f_pendulum_1_y;
-    let tau_alpha = omega_pendulum_z * pendulum_3 + mc_pendulum_z * a_pendulum_y;
-    // M = L D L^T and back-substitution
-    let inv_theta = 1.0 / M_theta_theta;
-    let l_alpha_theta = -p.r * mc_pendulum_z * inv_theta * c_alpha;
-    let pivot_alpha = I_pendulum_xx - l_alpha_theta * M_theta_theta * l_alpha_theta;
-    let inv_alpha = 1.0 / pivot_alpha;
-    let tau_theta_inv_theta = tau_theta * inv_theta;
-    let alpha_ddot = inv_alpha * (tau_alpha - tau_theta * l_alpha_theta);
-    let l_alpha_theta_alpha_ddot = l_alpha_theta * alpha_ddot;
-    let theta_ddot = tau_theta_inv_theta - l_alpha_theta_alpha_ddot;
+    let tau_alpha = I_pendulum_xx * pendulum_1 + mc_pendulum_z * a_pendulum_y;
+    // M = L^T D L and back-substitution
+    let inv_alpha = 1.0 / I_pendulum_xx;
+    let l_alpha_theta = M_theta_alpha * inv_alpha;
+    let pivot_theta = arm_1 + p.J_m + p.J_h - M_theta_alpha * l_alpha_theta;
+    let inv_theta = 1.0 / pivot_theta;
+    let theta_ddot = inv_theta * (u.tau - n_arm_z - tau_alpha * l_alpha_theta);
+    let alpha_ddot = tau_alpha * inv_alpha - l_alpha_theta * theta_ddot;
     let theta_ddot_s_alpha = theta_ddot * s_alpha;
     let r_theta_ddot = p.r * theta_ddot;
     let theta_ddot_c_alpha = theta_ddot * c_alpha;
@@ -640,8 +601,8 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let pendulum_1_minus_alpha_ddot = pendulum_1 - alpha_ddot;
     let slopes_4 = c_alpha * (p.m_p * slopes_2 + mc_pendulum_z * pendulum_1_minus_alpha_ddot);
     let slopes_5 = slopes_4 - s_alpha * (f_moving_pendulum_z + p.m_p * slopes_3);
-    let slopes_6 = theta_ddot * (r_sq / 12.0 + r_per_two * r_per_two);
-    let slopes_7 = theta_ddot * (2.0 * p.m_r * p.r / 12.0 + 0.5 * mc_arm_x + 0.5 * p.m_r * r_per_two);
+    let slopes_6 = theta_ddot * (2.0 * p.m_r * p.r / 12.0 + 0.5 * mc_arm_x + 0.5 * p.m_r * r_per_two);
+    let slopes_7 = mc_pendulum_z * theta_ddot_c_alpha;
     let slopes_8 = p.m_p * theta_ddot_c_alpha * c_alpha + p.m_p * theta_ddot_s_alpha * s_alpha;
     let slopes_9 = c_alpha * (slopes_2 - L_p_per_two * pendulum_1_minus_alpha_ddot);
     let slopes_10 = s_alpha * (slopes_3 + L_p_per_two * pendulum_2);
@@ -649,52 +610,42 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let by_r_1 = mc_pendulum_z * theta_dot_sq * s_alpha;
     // derivatives with respect to m_p
     let by_m_p_1 = L_p_sq / 12.0 + L_p_per_two * L_p_per_two;
-    let by_m_p_1_alpha_dot = by_m_p_1 * v.alpha;
-    let omega_pendulum_y_by_m_p_1 = omega_pendulum_y * by_m_p_1;
-    let by_m_p_2 = c_alpha * (omega_pendulum_y_by_m_p_1 * v.alpha - omega_pendulum_y * by_m_p_1_alpha_dot);
     let half_m_p = 0.5 * p.m_p;
     // derivatives with respect to L_p
     let by_L_p_1 = 2.0 * p.m_p * p.L_p / 12.0 - 0.5 * mc_pendulum_z + L_p_per_two * half_m_p;
-    let by_L_p_1_alpha_dot = by_L_p_1 * v.alpha;
-    let omega_pendulum_y_by_L_p_1 = omega_pendulum_y * by_L_p_1;
-    let by_L_p_2 = c_alpha * (omega_pendulum_y_by_L_p_1 * v.alpha - omega_pendulum_y * by_L_p_1_alpha_dot);
     // derivatives with respect to g
     let by_g_1 = p.m_p * c_alpha * s_alpha - p.m_p * s_alpha * c_alpha;
-    let r_by_g_1 = p.r * by_g_1;
-    let d_alpha_ddot_by_g = inv_alpha * (l_alpha_theta * r_by_g_1 + mc_pendulum_z * s_alpha);
-    let d_theta_ddot_by_g = -inv_theta * r_by_g_1 - l_alpha_theta * d_alpha_ddot_by_g;
+    let d_theta_ddot_by_g = inv_theta * (-mc_pendulum_z_s_alpha * l_alpha_theta - p.r * by_g_1);
+    let d_alpha_ddot_by_g = mc_pendulum_z_s_alpha * inv_alpha - l_alpha_theta * d_theta_ddot_by_g;
     // slopes of the balance of forces, at the accelerations found
-    let slopes_11 = slopes_7 - by_r_1 + slopes_5 + p.r * slopes_8;
-    let slopes_12 = alpha_ddot * by_m_p_1 - omega_pendulum_z * omega_pendulum_y_by_m_p_1;
-    let slopes_13 = omega_pendulum_z * by_m_p_1_alpha_dot + slopes_1 * by_m_p_1;
-    let slopes_14 = s_alpha * (slopes_13 - L_p_per_two * a_pendulum_1_x);
-    let slopes_15 = by_m_p_2 + slopes_14 + p.r * (slopes_9 - slopes_10);
-    let slopes_16 = alpha_ddot * by_L_p_1 - omega_pendulum_z * omega_pendulum_y_by_L_p_1;
-    let slopes_17 = omega_pendulum_z * by_L_p_1_alpha_dot + slopes_1 * by_L_p_1;
-    let slopes_18 = pendulum_1_minus_alpha_ddot * half_m_p * c_alpha;
-    let slopes_19 = s_alpha * (slopes_17 - a_pendulum_1_x * half_m_p);
-    let slopes_20 = p.r * (pendulum_2 * half_m_p * s_alpha + slopes_18);
+    let slopes_11 = slopes_6 - by_r_1 + slopes_5 + p.r * slopes_8;
+    let slopes_12 = alpha_ddot * by_m_p_1 - pendulum_1 * by_m_p_1;
+    let slopes_13 = alpha_pendulum_y * by_m_p_1 + slopes_1 * by_m_p_1;
+    let slopes_14 = L_p_per_two * slopes_2 + slopes_12;
+    let slopes_15 = s_alpha * (slopes_13 - L_p_per_two * a_pendulum_1_x);
+    let slopes_16 = slopes_15 + p.r * (slopes_9 - slopes_10);
+    let slopes_17 = alpha_ddot * by_L_p_1 - pendulum_1 * by_L_p_1;
+    let slopes_18 = alpha_pendulum_y * by_L_p_1 + slopes_1 * by_L_p_1;
+    let slopes_19 = slopes_2 * half_m_p + slopes_17;
+    let slopes_20 = pendulum_1_minus_alpha_ddot * half_m_p * c_alpha;
+    let slopes_21 = s_alpha * (slopes_18 - a_pendulum_1_x * half_m_p);
+    let slopes_22 = p.r * (pendulum_2 * half_m_p * s_alpha + slopes_20);
     // derivatives with respect to m_r
-    let d_alpha_ddot_by_m_r = inv_alpha * l_alpha_theta * slopes_6;
-    let d_theta_ddot_by_m_r = -inv_theta * slopes_6 - l_alpha_theta * d_alpha_ddot_by_m_r;
+    let d_theta_ddot_by_m_r = -inv_theta * theta_ddot * (r_sq / 12.0 + r_per_two * r_per_two);
     // derivatives with respect to r
-    let d_alpha_ddot_by_r = inv_alpha * (l_alpha_theta * slopes_11 + mc_pendulum_z * theta_ddot_c_alpha);
-    let d_theta_ddot_by_r = -inv_theta * slopes_11 - l_alpha_theta * d_alpha_ddot_by_r;
+    let d_theta_ddot_by_r = inv_theta * (-l_alpha_theta * slopes_7 - slopes_11);
+    let d_alpha_ddot_by_r = inv_alpha * slopes_7 - l_alpha_theta * d_theta_ddot_by_r;
     // derivatives with respect to m_p
-    let by_m_p_3 = l_alpha_theta * slopes_15 - L_p_per_two * slopes_2 - slopes_12;
-    let d_alpha_ddot_by_m_p = inv_alpha * by_m_p_3;
-    let d_theta_ddot_by_m_p = -inv_theta * slopes_15 - l_alpha_theta * d_alpha_ddot_by_m_p;
+    let d_theta_ddot_by_m_p = inv_theta * (l_alpha_theta * slopes_14 - slopes_16);
+    let d_alpha_ddot_by_m_p = -inv_alpha * slopes_14 - l_alpha_theta * d_theta_ddot_by_m_p;
     // derivatives with respect to L_p
-    let by_L_p_3 = slopes_20 - by_L_p_2 - slopes_19;
-    let by_L_p_4 = slopes_2 * half_m_p + slopes_16 + l_alpha_theta * by_L_p_3;
-    let d_alpha_ddot_by_L_p = -inv_alpha * by_L_p_4;
-    let d_theta_ddot_by_L_p = inv_theta * by_L_p_3 - l_alpha_theta * d_alpha_ddot_by_L_p;
+    let d_theta_ddot_by_L_p = inv_theta * (slopes_22 - slopes_21 + l_alpha_theta * slopes_19);
+    let d_alpha_ddot_by_L_p = -inv_alpha * slopes_19 - l_alpha_theta * d_theta_ddot_by_L_p;
     // derivatives with respect to J_m
-    let by_J_m_1 = l_alpha_theta_alpha_ddot - tau_theta_inv_theta;
-    let d_alpha_ddot_by_J_m = -inv_alpha * l_alpha_theta * by_J_m_1;
-    let d_theta_ddot_by_J_m = inv_theta * by_J_m_1 - l_alpha_theta * d_alpha_ddot_by_J_m;
-    positive(M_theta_theta, 0)?;
-    positive(pivot_alpha, 1)?;
+    let d_theta_ddot_by_J_m = -inv_theta * theta_ddot;
+    let d_alpha_ddot_by_J_m = -l_alpha_theta * d_theta_ddot_by_J_m;
+    positive(I_pendulum_xx, 1)?;
+    positive(pivot_theta, 0)?;
     Ok([
         [0.0; 7], // theta'
         [0.0; 7], // alpha'
@@ -711,7 +662,7 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
         .to_array(),
         // alpha''
         Parameters {
-            m_r: d_alpha_ddot_by_m_r,
+            m_r: -l_alpha_theta * d_theta_ddot_by_m_r,
             r: d_alpha_ddot_by_r,
             m_p: d_alpha_ddot_by_m_p,
             L_p: d_alpha_ddot_by_L_p,

@@ -1,5 +1,5 @@
 //! Googol GHP2002, eq. 13 as printed.
-//! Generated from `googol_eq13.rig` (model df868c68); edit the rig, not this file.
+//! Generated from `googol_eq13.rig` (model 563aaada); edit the rig, not this file.
 //!
 //! The seed paper's equations, written directly, with the printed factor sin(theta) in the
 //! yaw-by-f_d term. `rig diff googol_mrb.rig googol_eq13.rig` shows that one term.
@@ -361,7 +361,7 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 47 operations.
 ///
 /// # Errors
@@ -381,9 +381,9 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let tau_psi = l_oc_f_s_c_eps_s_theta - p.c0_psi * v.psi - p.l_df * f_d * s_theta * s_eps;
     let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - g_eps;
     let tau_theta = p.l_df * f_d - p.c0_theta * v.theta - l_cd_m_h_g * s_theta * c_eps;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok(Accelerations::from_array([tau_psi / p.I_psi, tau_eps / p.I_eps, tau_theta / p.I_theta]))
 }
 
@@ -436,10 +436,10 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let tau_psi = f_s * l_oc_c_eps_s_theta - p.c0_psi * v.psi - f_d * l_df_s_theta_s_eps;
     let tau_eps = f_s * l_oc_c_theta - p.c0_eps * v.eps - g_eps;
     let tau_theta = p.l_df * f_d - p.c0_theta * v.theta - l_cd_m_h_g_c_eps * s_theta;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / p.I_psi;
-    let inv_eps = 1.0 / p.I_eps;
+    // M = L^T D L and back-substitution
     let inv_theta = 1.0 / p.I_theta;
+    let inv_eps = 1.0 / p.I_eps;
+    let inv_psi = 1.0 / p.I_psi;
     let l_oc_f_s_s_theta_s_eps = p.l_oc * f_s * s_theta * s_eps;
     // derivatives with respect to eps
     let d_psi_ddot_by_eps = -inv_psi * (l_oc_f_s_s_theta_s_eps + f_d * l_df_s_theta * c_eps);
@@ -452,9 +452,9 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // derivatives with respect to f_1
     let d_eps_ddot_by_f_1 = l_oc_c_theta * inv_eps;
     let d_theta_ddot_by_f_1 = p.l_df * inv_theta;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok(Linearization {
         dx: [v.psi, v.eps, v.theta, tau_psi * inv_psi, tau_eps * inv_eps, tau_theta * inv_theta],
         a: [
@@ -496,10 +496,10 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let tau_psi = l_oc_f_s_c_eps_s_theta - p.c0_psi * v.psi - p.l_df * f_d * s_theta * s_eps;
     let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - g_eps;
     let tau_theta = p.l_df * f_d - p.c0_theta * v.theta - l_cd_m_h_g * s_theta * c_eps;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / p.I_psi;
-    let inv_eps = 1.0 / p.I_eps;
+    // M = L^T D L and back-substitution
     let inv_theta = 1.0 / p.I_theta;
+    let inv_eps = 1.0 / p.I_eps;
+    let inv_psi = 1.0 / p.I_psi;
     let g_l_cd = p.g * p.l_cd;
     // derivatives with respect to m_h
     let by_m_h_1 = g_l_cd * s_eps * c_theta + p.g * p.l_oc * c_eps;
@@ -524,9 +524,9 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let d_eps_ddot_by_l_cd = -inv_eps * m_h_g * s_eps * c_theta;
     // derivatives with respect to l_df
     let d_psi_ddot_by_l_df = -inv_psi * f_d * s_theta * s_eps;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok([
         [0.0; 15], // psi'
         [0.0; 15], // eps'

@@ -1,5 +1,5 @@
 //! Googol GHP2002, multi-rigid-body model.
-//! Generated from `googol_mrb.rig` (model 1baaee7b); edit the rig, not this file.
+//! Generated from `googol_mrb.rig` (model 236cb442); edit the rig, not this file.
 //!
 //! Eq. 13 of the seed paper, derived: the full physics under the paper's assumptions (no velocity
 //! products, a constant diagonal mass matrix). The yaw-by-f_d term comes out without the misprinted
@@ -388,7 +388,7 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 50 operations.
 ///
 /// # Errors
@@ -410,11 +410,11 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     // balance of forces
     let tau_eps = p.l_oc * f_s * c_theta - p.c0_eps * v.eps - gravity_1 - gravity_2;
     let tau_theta = l_df_f_1 - p.c0_theta * v.theta - g_theta - l_df_f_2;
-    // M = L D L^T and back-substitution
+    // M = L^T D L and back-substitution
     let psi_ddot = (n_applied_column_z - p.c0_psi * v.psi) / p.I_psi;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok(Accelerations::from_array([psi_ddot, tau_eps / p.I_eps, tau_theta / p.I_theta]))
 }
 
@@ -470,10 +470,10 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // balance of forces
     let tau_eps = -p.c0_eps * v.eps - gravity_1 - gravity_2 - n_applied_arm_y;
     let tau_theta = l_df_f_1 - p.c0_theta * v.theta - g_theta - l_df_f_2;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / p.I_psi;
-    let inv_eps = 1.0 / p.I_eps;
+    // M = L^T D L and back-substitution
     let inv_theta = 1.0 / p.I_theta;
+    let inv_eps = 1.0 / p.I_eps;
+    let inv_psi = 1.0 / p.I_psi;
     let psi_ddot = inv_psi * (n_applied_column_z - p.c0_psi * v.psi);
     let l_oc_c_eps_s_theta = p.l_oc * c_eps * s_theta;
     let l_df_s_eps = p.l_df * s_eps;
@@ -486,9 +486,9 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // derivatives with respect to f_1
     let d_eps_ddot_by_f_1 = p.l_oc * inv_eps * c_theta;
     let d_theta_ddot_by_f_1 = p.l_df * inv_theta;
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok(Linearization {
         dx: [v.psi, v.eps, v.theta, psi_ddot, tau_eps * inv_eps, tau_theta * inv_theta],
         a: [
@@ -544,10 +544,10 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     // balance of forces
     let tau_eps = p.l_oc * f_applied_heli_1_z - p.c0_eps * v.eps - g_eps;
     let tau_theta = l_df_f_1 - p.c0_theta * v.theta - p.m_h * g_l_cd_c_eps_s_theta - l_df_f_2;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / p.I_psi;
-    let inv_eps = 1.0 / p.I_eps;
+    // M = L^T D L and back-substitution
     let inv_theta = 1.0 / p.I_theta;
+    let inv_eps = 1.0 / p.I_eps;
+    let inv_psi = 1.0 / p.I_psi;
     let psi_ddot = inv_psi * (n_applied_column_z - p.c0_psi * v.psi);
     // derivatives with respect to g
     let d_eps_ddot_by_g = -inv_eps * (p.m_b * l_oa_c_eps - p.m_c * l_ob_c_eps + p.m_h * fuselage_1);
@@ -558,9 +558,9 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let d_theta_ddot_by_l_cd = -p.m_h * p.g * inv_theta * c_eps * s_theta;
     // derivatives with respect to l_df
     let d_psi_ddot_by_l_df = inv_psi * s_eps * (u.f_2 - u.f_1);
-    positive(p.I_psi, 0)?;
-    positive(p.I_eps, 1)?;
     positive(p.I_theta, 2)?;
+    positive(p.I_eps, 1)?;
+    positive(p.I_psi, 0)?;
     Ok([
         [0.0; 17], // psi'
         [0.0; 17], // eps'

@@ -1,5 +1,5 @@
 //! Googol GHP2002, single-rigid-body model.
-//! Generated from `googol_srb.rig` (model 82e6ba05); edit the rig, not this file.
+//! Generated from `googol_srb.rig` (model 7ec63ed6); edit the rig, not this file.
 //!
 //! Eq. 1 to 5 of the seed paper: arm, counterweight and fuselage are one body on a ball joint, l_cd = 0,
 //! friction and velocity products neglected. The mass matrix is T^T I T with T of eq. 2 and
@@ -8,7 +8,7 @@
 //! Without l_cd there is no pitch stiffness, and at eps = +-90 deg the mass matrix is singular.
 //!
 //! Assumed: l_cd = 0; no velocity products; no friction.
-//! 75 operations forward, 191 with A and B. Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
+//! 60 operations forward, 141 with A and B. Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]
@@ -44,7 +44,7 @@ pub struct Parameters {
     pub c0_eps: f64,
     /// viscous friction of the pitch axis [N*m*s]
     pub c0_theta: f64,
-    /// about the upright axis [kg*m^2]
+    /// without friction and velocity products no rate of turn balances the thrust [kg*m^2]
     pub I_psi: f64,
     /// about the sideways axis [kg*m^2]
     pub I_eps: f64,
@@ -276,16 +276,14 @@ pub fn mass_matrix(q: &Coordinates, p: &Parameters) -> [[f64; 3]; 3] {
     let (s_theta, c_theta) = sin_cos(q.theta);
     // frame heli on arm
     let M_psi_theta = -p.I_theta * s_eps;
-    let I_eps_c_theta = p.I_eps * c_theta;
-    let I_psi_s_theta = p.I_psi * s_theta;
-    let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
+    let I_eps_minus_I_psi_c_theta = c_theta * (p.I_eps - p.I_psi);
+    let heli_1 = I_eps_minus_I_psi_c_theta * c_theta;
     // frame arm on column
-    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
-    let M_psi_eps = arm_1 * c_eps;
-    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
+    let M_psi_eps = I_eps_minus_I_psi_c_theta * c_eps * s_theta;
+    let M_psi_psi = p.I_theta + c_eps * c_eps * (p.I_eps - heli_1 - p.I_theta);
     [
-        [arm_2 - M_psi_theta * s_eps, M_psi_eps, M_psi_theta], // psi
-        [M_psi_eps, M_eps_eps, 0.0], // eps
+        [M_psi_psi, M_psi_eps, M_psi_theta], // psi
+        [M_psi_eps, p.I_psi + heli_1, 0.0], // eps
         [M_psi_theta, 0.0, p.I_theta], // theta
     ]
 }
@@ -398,27 +396,25 @@ pub fn inverse_dynamics(x: &State, a: &Accelerations, u: &Inputs, p: &Parameters
     let m = p.m_c + p.m_h + p.m_b;
     // frame heli on arm
     let M_psi_theta = -p.I_theta * s_eps;
-    let I_eps_c_theta = p.I_eps * c_theta;
-    let I_psi_s_theta = p.I_psi * s_theta;
-    let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
+    let I_eps_minus_I_psi_c_theta = c_theta * (p.I_eps - p.I_psi);
+    let heli_1 = I_eps_minus_I_psi_c_theta * c_theta;
     // frame arm on column
-    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
-    let M_psi_eps = arm_1 * c_eps;
-    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
+    let M_psi_eps = I_eps_minus_I_psi_c_theta * c_eps * s_theta;
+    let M_psi_psi = p.I_theta + c_eps * c_eps * (p.I_eps - heli_1 - p.I_theta);
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // force rotor_2 on heli
     let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame arm on column
-    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
-    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_1 - n_applied_heli_y * c_eps * s_theta;
     // gravity
     let g_eps = p.g * m * m_prime * c_eps / m;
     // balance of forces
-    let balance_1 = a.psi * (arm_2 - M_psi_theta * s_eps) + M_psi_eps * a.eps;
+    let balance_1 = g_eps + M_psi_eps * a.psi + a.eps * (p.I_psi + heli_1);
     [
-        balance_1 + M_psi_theta * a.theta - n_applied_column_z, // psi
-        g_eps + M_psi_eps * a.psi + M_eps_eps * a.eps + n_applied_heli_y * c_theta, // eps
+        M_psi_psi * a.psi + M_psi_eps * a.eps + M_psi_theta * a.theta - n_applied_column_z, // psi
+        balance_1 + n_applied_heli_y * c_theta, // eps
         p.I_theta * a.theta + M_psi_theta * a.psi - l_df_f_1 + l_df_f_2, // theta
     ]
 }
@@ -430,8 +426,8 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
-/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L D L^T of M.
-/// 75 operations.
+/// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
+/// 60 operations.
 ///
 /// # Errors
 /// [`Singular`] where the mass matrix is not positive definite.
@@ -443,39 +439,37 @@ pub fn forward_dynamics(x: &State, u: &Inputs, p: &Parameters) -> Result<Acceler
     let m = p.m_c + p.m_h + p.m_b;
     // frame heli on arm
     let M_psi_theta = -p.I_theta * s_eps;
-    let I_eps_c_theta = p.I_eps * c_theta;
-    let I_psi_s_theta = p.I_psi * s_theta;
-    let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
+    let I_eps_minus_I_psi_c_theta = c_theta * (p.I_eps - p.I_psi);
+    let heli_1 = I_eps_minus_I_psi_c_theta * c_theta;
+    let M_eps_eps = p.I_psi + heli_1;
     // frame arm on column
-    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
-    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
-    let M_psi_psi = arm_2 - M_psi_theta * s_eps;
+    let M_psi_eps = I_eps_minus_I_psi_c_theta * c_eps * s_theta;
+    let M_psi_psi = p.I_theta + c_eps * c_eps * (p.I_eps - heli_1 - p.I_theta);
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // force rotor_2 on heli
     let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
+    // frame heli on arm
+    let Q_theta = l_df_f_1 - l_df_f_2;
     // frame arm on column
-    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
-    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_1 - n_applied_heli_y * c_eps * s_theta;
     // gravity
     let g_eps = p.g * m * m_prime * c_eps / m;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / M_psi_psi;
-    let l_eps_psi = arm_1 * inv_psi * c_eps;
-    let l_theta_psi = M_psi_theta * inv_psi;
-    let M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
-    let pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
-    let inv_eps = 1.0 / pivot_eps;
-    let l_theta_eps = -inv_eps * l_theta_psi * M_psi_psi_l_eps_psi;
-    let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
-    let solve_1 = n_applied_heli_y * c_theta + g_eps + n_applied_column_z * l_eps_psi;
-    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
-    let theta_ddot = (solve_2 + l_theta_eps * solve_1) / pivot_theta;
-    let eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
-    let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
-    positive(M_psi_psi, 0)?;
-    positive(pivot_eps, 1)?;
-    positive(pivot_theta, 2)?;
+    // balance of forces
+    let tau_eps = -n_applied_heli_y * c_theta - g_eps;
+    // M = L^T D L and back-substitution
+    let inv_theta = 1.0 / p.I_theta;
+    let l_theta_psi = M_psi_theta * inv_theta;
+    let inv_eps = 1.0 / M_eps_eps;
+    let l_eps_psi = M_psi_eps * inv_eps;
+    let pivot_psi = M_psi_psi - M_psi_eps * l_eps_psi - M_psi_theta * l_theta_psi;
+    let psi_ddot = (n_applied_column_z - tau_eps * l_eps_psi - Q_theta * l_theta_psi) / pivot_psi;
+    let eps_ddot = tau_eps * inv_eps - l_eps_psi * psi_ddot;
+    let theta_ddot = Q_theta * inv_theta - l_theta_psi * psi_ddot;
+    positive(p.I_theta, 2)?;
+    positive(M_eps_eps, 1)?;
+    positive(pivot_psi, 0)?;
     Ok(Accelerations::from_array([psi_ddot, eps_ddot, theta_ddot]))
 }
 
@@ -491,7 +485,7 @@ pub struct Linearization {
 }
 
 /// State derivative and its Jacobians A, B, exact, at any state.
-/// 191 operations.
+/// 141 operations.
 ///
 /// Rows x', columns x | u: `.` is always zero, `1` always one, `*` computed.
 /// ```text
@@ -516,25 +510,23 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     // frame heli on arm
     let M_psi_theta = -p.I_theta * s_eps;
     let I_theta_c_eps = p.I_theta * c_eps;
-    let I_eps_c_theta = p.I_eps * c_theta;
-    let I_psi_s_theta = p.I_psi * s_theta;
-    let I_eps_c_theta_c_theta = I_eps_c_theta * c_theta;
-    let I_psi_s_theta_s_theta = I_psi_s_theta * s_theta;
-    let M_eps_eps = I_eps_c_theta_c_theta + I_psi_s_theta_s_theta;
-    let I_eps_c_theta_s_theta = I_eps_c_theta * s_theta;
-    let I_psi_s_theta_c_theta = I_psi_s_theta * c_theta;
-    let heli_1 = p.I_psi + p.I_eps - M_eps_eps;
+    let I_eps_minus_I_psi = p.I_eps - p.I_psi;
+    let I_eps_minus_I_psi_c_theta = I_eps_minus_I_psi * c_theta;
+    let heli_1 = I_eps_minus_I_psi_c_theta * c_theta;
+    let heli_2 = I_eps_minus_I_psi_c_theta * s_theta;
+    let M_eps_eps = p.I_psi + heli_1;
     // frame arm on column
-    let arm_1 = I_eps_c_theta_s_theta - I_psi_s_theta_c_theta;
-    let arm_1_s_eps = arm_1 * s_eps;
-    let heli_1_c_eps = heli_1 * c_eps;
-    let M_psi_psi = heli_1_c_eps * c_eps - M_psi_theta * s_eps;
+    let M_psi_eps = heli_2 * c_eps;
+    let heli_2_s_eps = heli_2 * s_eps;
+    let arm_1 = p.I_eps - heli_1 - p.I_theta;
+    let arm_1_c_eps = arm_1 * c_eps;
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // force rotor_2 on heli
     let n_applied_heli_x = l_df_f_2 - l_df_f_1;
     let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
     // frame heli on arm
+    let Q_theta = l_df_f_1 - l_df_f_2;
     let n_applied_arm_y = n_applied_heli_y * c_theta;
     let n_applied_arm_z = -n_applied_heli_y * s_theta;
     // frame arm on column
@@ -542,70 +534,53 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
     let n_applied_column_x = n_applied_heli_x * c_eps - n_applied_arm_z * s_eps;
     // gravity
     let g_eps = p.g * m * m_prime_per_m * c_eps;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / M_psi_psi;
-    let l_eps_psi = arm_1 * inv_psi * c_eps;
-    let l_theta_psi = M_psi_theta * inv_psi;
-    let M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
-    let pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
-    let inv_eps = 1.0 / pivot_eps;
-    let l_theta_eps = -inv_eps * l_theta_psi * M_psi_psi_l_eps_psi;
-    let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
-    let inv_theta = 1.0 / pivot_theta;
-    let solve_1 = n_applied_arm_y + g_eps + n_applied_column_z * l_eps_psi;
-    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
-    let theta_ddot = inv_theta * (solve_2 + l_theta_eps * solve_1);
-    let eps_ddot = -inv_eps * solve_1 - l_theta_eps * theta_ddot;
-    let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
+    // balance of forces
+    let tau_eps = -n_applied_arm_y - g_eps;
+    // M = L^T D L and back-substitution
+    let inv_theta = 1.0 / p.I_theta;
+    let l_theta_psi = M_psi_theta * inv_theta;
+    let inv_eps = 1.0 / M_eps_eps;
+    let l_eps_psi = M_psi_eps * inv_eps;
+    let pivot_psi = p.I_theta + arm_1_c_eps * c_eps - M_psi_eps * l_eps_psi - M_psi_theta * l_theta_psi;
+    let inv_psi = 1.0 / pivot_psi;
+    let psi_ddot = inv_psi * (n_applied_column_z - tau_eps * l_eps_psi - Q_theta * l_theta_psi);
+    let eps_ddot = tau_eps * inv_eps - l_eps_psi * psi_ddot;
+    let theta_ddot = Q_theta * inv_theta - l_theta_psi * psi_ddot;
     let l_oc_c_theta = p.l_oc * c_theta;
     let l_oc_c_eps_s_theta = p.l_oc * c_eps * s_theta;
     let l_df_s_eps = p.l_df * s_eps;
-    // input map
-    let input_map_1 = l_oc_c_eps_s_theta - l_df_s_eps;
-    let input_map_2 = l_oc_c_eps_s_theta + l_df_s_eps;
-    let heli_1_c_eps_s_eps = heli_1 * c_eps * s_eps;
-    // derivatives with respect to eps
-    let by_eps_1 = I_theta_c_eps * s_eps - M_psi_theta * c_eps;
-    let I_eps_s_theta = p.I_eps * s_theta;
-    let I_psi_c_theta = p.I_psi * c_theta;
+    let arm_1_c_eps_s_eps = arm_1 * c_eps * s_eps;
+    let I_eps_minus_I_psi_s_theta = I_eps_minus_I_psi * s_theta;
     // derivatives with respect to theta
-    let by_theta_1 = I_eps_c_theta_s_theta + I_eps_s_theta * c_theta;
-    let by_theta_2 = I_psi_s_theta_c_theta + I_psi_c_theta * s_theta;
-    let by_theta_3 = I_psi_c_theta * c_theta - I_psi_s_theta_s_theta;
-    let by_theta_4 = I_eps_c_theta_c_theta - I_eps_s_theta * s_theta - by_theta_3;
-    let by_theta_4_c_eps = by_theta_4 * c_eps;
+    let by_theta_1 = heli_2 + I_eps_minus_I_psi_s_theta * c_theta;
+    let by_theta_2 = c_eps * (heli_1 - I_eps_minus_I_psi_s_theta * s_theta);
     // slopes of the balance of forces, at the accelerations found
-    let slopes_1 = psi_ddot * (by_eps_1 - heli_1_c_eps * s_eps - heli_1_c_eps_s_eps);
-    let slopes_2 = slopes_1 - arm_1_s_eps * eps_ddot - I_theta_c_eps * theta_ddot;
-    let slopes_3 = p.g * m * m_prime_per_m * s_eps + arm_1_s_eps * psi_ddot;
-    let slopes_4 = psi_ddot * c_eps * c_eps * (by_theta_1 - by_theta_2);
-    let slopes_5 = psi_ddot * by_theta_4_c_eps + eps_ddot * (by_theta_2 - by_theta_1);
+    let slopes_1 = psi_ddot * (arm_1_c_eps * s_eps + arm_1_c_eps_s_eps);
+    let slopes_2 = slopes_1 + heli_2_s_eps * eps_ddot + I_theta_c_eps * theta_ddot;
+    let slopes_3 = p.g * m * m_prime_per_m * s_eps + heli_2_s_eps * psi_ddot;
+    let I_theta_c_eps_psi_ddot = I_theta_c_eps * psi_ddot;
+    let slopes_4 = psi_ddot * by_theta_1 * c_eps * c_eps;
+    let slopes_5 = n_applied_arm_z + psi_ddot * by_theta_2 - eps_ddot * by_theta_1;
     // derivatives with respect to eps
-    let by_eps_2 = n_applied_column_x - slopes_2;
-    let by_eps_3 = slopes_3 - l_eps_psi * by_eps_2;
-    let by_eps_4 = I_theta_c_eps * psi_ddot - l_theta_psi * by_eps_2 - l_theta_eps * by_eps_3;
-    let d_theta_ddot_by_eps = inv_theta * by_eps_4;
-    let d_eps_ddot_by_eps = inv_eps * by_eps_3 - l_theta_eps * d_theta_ddot_by_eps;
-    let d_psi_ddot_by_eps = inv_psi * by_eps_2 - l_eps_psi * d_eps_ddot_by_eps - l_theta_psi * d_theta_ddot_by_eps;
+    let by_eps_1 = n_applied_column_x + slopes_2 - l_eps_psi * slopes_3;
+    let d_psi_ddot_by_eps = inv_psi * (by_eps_1 - l_theta_psi * I_theta_c_eps_psi_ddot);
+    let d_eps_ddot_by_eps = inv_eps * slopes_3 - l_eps_psi * d_psi_ddot_by_eps;
+    let d_theta_ddot_by_eps = inv_theta * I_theta_c_eps_psi_ddot - l_theta_psi * d_psi_ddot_by_eps;
     // derivatives with respect to theta
-    let by_theta_5 = n_applied_arm_y * c_eps + slopes_4 + eps_ddot * by_theta_4_c_eps;
-    let by_theta_6 = n_applied_arm_z + slopes_5 - l_eps_psi * by_theta_5;
-    let d_theta_ddot_by_theta = inv_theta * (l_theta_psi * by_theta_5 + l_theta_eps * by_theta_6);
-    let d_eps_ddot_by_theta = -inv_eps * by_theta_6 - l_theta_eps * d_theta_ddot_by_theta;
-    let d_psi_ddot_by_theta = -inv_psi * by_theta_5 - l_eps_psi * d_eps_ddot_by_theta - l_theta_psi * d_theta_ddot_by_theta;
+    let by_theta_3 = n_applied_arm_y * c_eps + slopes_4 + eps_ddot * by_theta_2;
+    let d_psi_ddot_by_theta = inv_psi * (l_eps_psi * slopes_5 - by_theta_3);
+    let d_eps_ddot_by_theta = -inv_eps * slopes_5 - l_eps_psi * d_psi_ddot_by_theta;
+    let l_eps_psi_l_oc_c_theta = l_eps_psi * l_oc_c_theta;
+    let l_df_l_theta_psi = p.l_df * l_theta_psi;
     // derivatives with respect to f_1
-    let by_f_1_1 = l_oc_c_theta - l_eps_psi * input_map_1;
-    let d_theta_ddot_by_f_1 = inv_theta * (p.l_df - l_theta_psi * input_map_1 - l_theta_eps * by_f_1_1);
-    let d_eps_ddot_by_f_1 = inv_eps * by_f_1_1 - l_theta_eps * d_theta_ddot_by_f_1;
-    let d_psi_ddot_by_f_1 = inv_psi * input_map_1 - l_eps_psi * d_eps_ddot_by_f_1 - l_theta_psi * d_theta_ddot_by_f_1;
+    let d_psi_ddot_by_f_1 = inv_psi * (l_oc_c_eps_s_theta - l_df_s_eps - l_eps_psi_l_oc_c_theta - l_df_l_theta_psi);
+    let inv_eps_l_oc_c_theta = inv_eps * l_oc_c_theta;
+    let l_df_inv_theta = p.l_df * inv_theta;
     // derivatives with respect to f_2
-    let by_f_2_1 = l_oc_c_theta - l_eps_psi * input_map_2;
-    let d_theta_ddot_by_f_2 = inv_theta * (-l_theta_psi * input_map_2 - p.l_df - l_theta_eps * by_f_2_1);
-    let d_eps_ddot_by_f_2 = inv_eps * by_f_2_1 - l_theta_eps * d_theta_ddot_by_f_2;
-    let d_psi_ddot_by_f_2 = inv_psi * input_map_2 - l_eps_psi * d_eps_ddot_by_f_2 - l_theta_psi * d_theta_ddot_by_f_2;
-    positive(M_psi_psi, 0)?;
-    positive(pivot_eps, 1)?;
-    positive(pivot_theta, 2)?;
+    let d_psi_ddot_by_f_2 = inv_psi * (l_oc_c_eps_s_theta + l_df_s_eps - l_eps_psi_l_oc_c_theta + l_df_l_theta_psi);
+    positive(p.I_theta, 2)?;
+    positive(M_eps_eps, 1)?;
+    positive(pivot_psi, 0)?;
     Ok(Linearization {
         dx: [v.psi, v.eps, v.theta, psi_ddot, eps_ddot, theta_ddot],
         a: [
@@ -614,15 +589,15 @@ pub fn linearize(x: &State, u: &Inputs, p: &Parameters) -> Result<Linearization,
             [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], // theta'
             [0.0, d_psi_ddot_by_eps, d_psi_ddot_by_theta, 0.0, 0.0, 0.0], // psi''
             [0.0, d_eps_ddot_by_eps, d_eps_ddot_by_theta, 0.0, 0.0, 0.0], // eps''
-            [0.0, d_theta_ddot_by_eps, d_theta_ddot_by_theta, 0.0, 0.0, 0.0], // theta''
+            [0.0, d_theta_ddot_by_eps, -l_theta_psi * d_psi_ddot_by_theta, 0.0, 0.0, 0.0], // theta''
         ],
         b: [
             [0.0, 0.0], // psi'
             [0.0, 0.0], // eps'
             [0.0, 0.0], // theta'
             [d_psi_ddot_by_f_1, d_psi_ddot_by_f_2], // psi''
-            [d_eps_ddot_by_f_1, d_eps_ddot_by_f_2], // eps''
-            [d_theta_ddot_by_f_1, d_theta_ddot_by_f_2], // theta''
+            [inv_eps_l_oc_c_theta - l_eps_psi * d_psi_ddot_by_f_1, inv_eps_l_oc_c_theta - l_eps_psi * d_psi_ddot_by_f_2], // eps''
+            [l_df_inv_theta - l_theta_psi * d_psi_ddot_by_f_1, -l_theta_psi * d_psi_ddot_by_f_2 - l_df_inv_theta], // theta''
         ],
     })
 }
@@ -638,114 +613,94 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
     let m_prime = p.m_h * p.l_oc + p.m_b * p.l_oa - p.m_c * p.l_ob;
     let m = p.m_c + p.m_h + p.m_b;
     let f_s = u.f_1 + u.f_2;
+    let f_d = u.f_1 - u.f_2;
     let m_prime_per_m = m_prime / m;
     let m_prime_per_m_c_eps = m_prime_per_m * c_eps;
     // frame heli on arm
     let M_psi_theta = -p.I_theta * s_eps;
-    let I_eps_c_theta = p.I_eps * c_theta;
-    let I_psi_s_theta = p.I_psi * s_theta;
-    let M_eps_eps = I_eps_c_theta * c_theta + I_psi_s_theta * s_theta;
+    let I_eps_minus_I_psi_c_theta = c_theta * (p.I_eps - p.I_psi);
+    let heli_1 = I_eps_minus_I_psi_c_theta * c_theta;
+    let M_eps_eps = p.I_psi + heli_1;
     // frame arm on column
-    let arm_1 = I_eps_c_theta * s_theta - I_psi_s_theta * c_theta;
-    let arm_2 = c_eps * c_eps * (p.I_psi + p.I_eps - M_eps_eps);
-    let M_psi_psi = arm_2 - M_psi_theta * s_eps;
+    let M_psi_eps = I_eps_minus_I_psi_c_theta * c_eps * s_theta;
+    let M_psi_psi = p.I_theta + c_eps * c_eps * (p.I_eps - heli_1 - p.I_theta);
     let l_df_f_1 = p.l_df * u.f_1;
     let l_df_f_2 = p.l_df * u.f_2;
     // force rotor_2 on heli
     let n_applied_heli_y = -p.l_oc * u.f_1 - p.l_oc * u.f_2;
+    // frame heli on arm
+    let Q_theta = l_df_f_1 - l_df_f_2;
     // frame arm on column
-    let arm_3 = s_eps * (l_df_f_2 - l_df_f_1);
-    let n_applied_column_z = arm_3 - n_applied_heli_y * c_eps * s_theta;
+    let arm_1 = s_eps * (l_df_f_2 - l_df_f_1);
+    let n_applied_column_z = arm_1 - n_applied_heli_y * c_eps * s_theta;
     let g_m_prime_per_m_c_eps = p.g * m_prime_per_m_c_eps;
     // balance of forces
     let tau_eps = -n_applied_heli_y * c_theta - m * g_m_prime_per_m_c_eps;
-    // M = L D L^T and back-substitution
-    let inv_psi = 1.0 / M_psi_psi;
-    let l_eps_psi = arm_1 * inv_psi * c_eps;
-    let l_theta_psi = M_psi_theta * inv_psi;
-    let M_psi_psi_l_eps_psi = M_psi_psi * l_eps_psi;
-    let pivot_eps = M_eps_eps - l_eps_psi * M_psi_psi_l_eps_psi;
-    let inv_eps = 1.0 / pivot_eps;
-    let l_theta_eps = -inv_eps * l_theta_psi * M_psi_psi_l_eps_psi;
-    let pivot_theta = p.I_theta - l_theta_psi * M_psi_psi * l_theta_psi - l_theta_eps * pivot_eps * l_theta_eps;
-    let inv_theta = 1.0 / pivot_theta;
-    let solve_1 = tau_eps - n_applied_column_z * l_eps_psi;
-    let solve_2 = l_df_f_1 - l_df_f_2 - n_applied_column_z * l_theta_psi;
-    let theta_ddot = inv_theta * (solve_2 - l_theta_eps * solve_1);
-    let eps_ddot = inv_eps * solve_1 - l_theta_eps * theta_ddot;
-    let psi_ddot = n_applied_column_z * inv_psi - l_eps_psi * eps_ddot - l_theta_psi * theta_ddot;
+    // M = L^T D L and back-substitution
+    let inv_theta = 1.0 / p.I_theta;
+    let l_theta_psi = M_psi_theta * inv_theta;
+    let inv_eps = 1.0 / M_eps_eps;
+    let l_eps_psi = M_psi_eps * inv_eps;
+    let pivot_psi = M_psi_psi - M_psi_eps * l_eps_psi - M_psi_theta * l_theta_psi;
+    let inv_psi = 1.0 / pivot_psi;
+    let psi_ddot = inv_psi * (n_applied_column_z - tau_eps * l_eps_psi - Q_theta * l_theta_psi);
+    let eps_ddot = tau_eps * inv_eps - l_eps_psi * psi_ddot;
+    let theta_ddot = Q_theta * inv_theta - l_theta_psi * psi_ddot;
     // derivatives with respect to m_h
     let by_m_h_1 = g_m_prime_per_m_c_eps + p.g * m * c_eps * (p.l_oc - m_prime_per_m) / m;
-    let d_theta_ddot_by_m_h = inv_theta * l_theta_eps * by_m_h_1;
-    let d_eps_ddot_by_m_h = -inv_eps * by_m_h_1 - l_theta_eps * d_theta_ddot_by_m_h;
-    let d_psi_ddot_by_m_h = -l_eps_psi * d_eps_ddot_by_m_h - l_theta_psi * d_theta_ddot_by_m_h;
+    let d_psi_ddot_by_m_h = inv_psi * l_eps_psi * by_m_h_1;
+    let d_eps_ddot_by_m_h = -inv_eps * by_m_h_1 - l_eps_psi * d_psi_ddot_by_m_h;
     // derivatives with respect to m_b
     let by_m_b_1 = g_m_prime_per_m_c_eps + p.g * m * c_eps * (p.l_oa - m_prime_per_m) / m;
-    let d_theta_ddot_by_m_b = inv_theta * l_theta_eps * by_m_b_1;
-    let d_eps_ddot_by_m_b = -inv_eps * by_m_b_1 - l_theta_eps * d_theta_ddot_by_m_b;
-    let d_psi_ddot_by_m_b = -l_eps_psi * d_eps_ddot_by_m_b - l_theta_psi * d_theta_ddot_by_m_b;
+    let d_psi_ddot_by_m_b = inv_psi * l_eps_psi * by_m_b_1;
+    let d_eps_ddot_by_m_b = -inv_eps * by_m_b_1 - l_eps_psi * d_psi_ddot_by_m_b;
     let m_m_prime_per_m_c_eps = m * m_prime_per_m_c_eps;
     // derivatives with respect to g
-    let d_theta_ddot_by_g = inv_theta * l_theta_eps * m_m_prime_per_m_c_eps;
-    let d_eps_ddot_by_g = -inv_eps * m_m_prime_per_m_c_eps - l_theta_eps * d_theta_ddot_by_g;
-    let d_psi_ddot_by_g = -l_eps_psi * d_eps_ddot_by_g - l_theta_psi * d_theta_ddot_by_g;
-    let f_s_c_eps_s_theta = f_s * c_eps * s_theta;
-    // derivatives with respect to l_oc
-    let by_l_oc_1 = f_s * c_theta - p.m_h * p.g * m * c_eps / m - l_eps_psi * f_s_c_eps_s_theta;
-    let d_theta_ddot_by_l_oc = inv_theta * (-l_theta_psi * f_s_c_eps_s_theta - l_theta_eps * by_l_oc_1);
-    let d_eps_ddot_by_l_oc = inv_eps * by_l_oc_1 - l_theta_eps * d_theta_ddot_by_l_oc;
-    let d_psi_ddot_by_l_oc = inv_psi * f_s_c_eps_s_theta - l_eps_psi * d_eps_ddot_by_l_oc - l_theta_psi * d_theta_ddot_by_l_oc;
+    let d_psi_ddot_by_g = inv_psi * l_eps_psi * m_m_prime_per_m_c_eps;
+    let d_eps_ddot_by_g = -inv_eps * m_m_prime_per_m_c_eps - l_eps_psi * d_psi_ddot_by_g;
     let g_m_m_c_per_m_c_eps = p.m_c * p.g * m * c_eps / m;
     // derivatives with respect to l_ob
-    let d_theta_ddot_by_l_ob = -inv_theta * l_theta_eps * g_m_m_c_per_m_c_eps;
-    let d_eps_ddot_by_l_ob = inv_eps * g_m_m_c_per_m_c_eps - l_theta_eps * d_theta_ddot_by_l_ob;
-    let d_psi_ddot_by_l_ob = -l_eps_psi * d_eps_ddot_by_l_ob - l_theta_psi * d_theta_ddot_by_l_ob;
+    let d_psi_ddot_by_l_ob = -inv_psi * l_eps_psi * g_m_m_c_per_m_c_eps;
+    let d_eps_ddot_by_l_ob = inv_eps * g_m_m_c_per_m_c_eps - l_eps_psi * d_psi_ddot_by_l_ob;
     let g_m_m_b_per_m_c_eps = p.m_b * p.g * m * c_eps / m;
     // derivatives with respect to l_oa
-    let d_theta_ddot_by_l_oa = inv_theta * l_theta_eps * g_m_m_b_per_m_c_eps;
-    let d_eps_ddot_by_l_oa = -inv_eps * g_m_m_b_per_m_c_eps - l_theta_eps * d_theta_ddot_by_l_oa;
-    let d_psi_ddot_by_l_oa = -l_eps_psi * d_eps_ddot_by_l_oa - l_theta_psi * d_theta_ddot_by_l_oa;
-    let f_2_minus_f_1_s_eps = s_eps * (u.f_2 - u.f_1);
-    // derivatives with respect to l_df
-    let by_l_df_1 = l_eps_psi * f_2_minus_f_1_s_eps;
-    let d_theta_ddot_by_l_df = inv_theta * (u.f_1 - u.f_2 - l_theta_psi * f_2_minus_f_1_s_eps + l_theta_eps * by_l_df_1);
-    let d_eps_ddot_by_l_df = -inv_eps * by_l_df_1 - l_theta_eps * d_theta_ddot_by_l_df;
-    let d_psi_ddot_by_l_df = inv_psi * f_2_minus_f_1_s_eps - l_eps_psi * d_eps_ddot_by_l_df - l_theta_psi * d_theta_ddot_by_l_df;
-    let s_theta_sq = s_theta * s_theta;
-    let c_eps_s_theta_c_theta = c_eps * s_theta * c_theta;
+    let d_psi_ddot_by_l_oa = inv_psi * l_eps_psi * g_m_m_b_per_m_c_eps;
+    let d_eps_ddot_by_l_oa = -inv_eps * g_m_m_b_per_m_c_eps - l_eps_psi * d_psi_ddot_by_l_oa;
     let c_theta_sq = c_theta * c_theta;
+    let one_minus_c_theta_sq = 1.0 - c_theta_sq;
+    let c_eps_s_theta_c_theta = c_eps * s_theta * c_theta;
     // slopes of the balance of forces, at the accelerations found
-    let slopes_1 = psi_ddot * c_eps * c_eps * (1.0 - s_theta_sq);
-    let slopes_2 = eps_ddot * c_eps_s_theta_c_theta;
-    let slopes_3 = psi_ddot * c_eps_s_theta_c_theta;
-    let slopes_4 = psi_ddot * c_eps * c_eps * (1.0 - c_theta_sq);
-    let slopes_2_plus_slopes_4 = slopes_2 + slopes_4;
+    let slopes_1 = eps_ddot * c_eps_s_theta_c_theta;
+    let slopes_2 = psi_ddot * c_eps_s_theta_c_theta;
+    let slopes_3 = slopes_1 + psi_ddot * one_minus_c_theta_sq * c_eps * c_eps;
+    let slopes_4 = slopes_2 + eps_ddot * c_theta_sq;
     // derivatives with respect to m_c
     let by_m_c_1 = p.g * m * c_eps * (p.l_ob + m_prime_per_m) / m - g_m_prime_per_m_c_eps;
-    let d_theta_ddot_by_m_c = -inv_theta * l_theta_eps * by_m_c_1;
-    let d_eps_ddot_by_m_c = inv_eps * by_m_c_1 - l_theta_eps * d_theta_ddot_by_m_c;
-    let d_psi_ddot_by_m_c = -l_eps_psi * d_eps_ddot_by_m_c - l_theta_psi * d_theta_ddot_by_m_c;
-    let slopes_2_minus_slopes_1 = slopes_2 - slopes_1;
+    let d_psi_ddot_by_m_c = -inv_psi * l_eps_psi * by_m_c_1;
+    let d_eps_ddot_by_m_c = inv_eps * by_m_c_1 - l_eps_psi * d_psi_ddot_by_m_c;
+    // derivatives with respect to l_oc
+    let by_l_oc_1 = f_s * c_theta - p.m_h * p.g * m * c_eps / m;
+    let d_psi_ddot_by_l_oc = inv_psi * (f_s * c_eps * s_theta - l_eps_psi * by_l_oc_1);
+    let d_eps_ddot_by_l_oc = inv_eps * by_l_oc_1 - l_eps_psi * d_psi_ddot_by_l_oc;
+    // derivatives with respect to l_df
+    let d_psi_ddot_by_l_df = inv_psi * (s_eps * (u.f_2 - u.f_1) - f_d * l_theta_psi);
+    let d_theta_ddot_by_l_df = f_d * inv_theta - l_theta_psi * d_psi_ddot_by_l_df;
     // derivatives with respect to I_psi
-    let by_I_psi_1 = slopes_3 - eps_ddot * s_theta_sq - l_eps_psi * slopes_2_minus_slopes_1;
-    let d_theta_ddot_by_I_psi = inv_theta * (-l_theta_psi * slopes_2_minus_slopes_1 - l_theta_eps * by_I_psi_1);
-    let d_eps_ddot_by_I_psi = inv_eps * by_I_psi_1 - l_theta_eps * d_theta_ddot_by_I_psi;
-    let d_psi_ddot_by_I_psi = inv_psi * slopes_2_minus_slopes_1 - l_eps_psi * d_eps_ddot_by_I_psi - l_theta_psi * d_theta_ddot_by_I_psi;
+    let by_I_psi_1 = slopes_1 - psi_ddot * c_theta_sq * c_eps * c_eps;
+    let by_I_psi_2 = slopes_2 - eps_ddot * one_minus_c_theta_sq;
+    let d_psi_ddot_by_I_psi = inv_psi * (by_I_psi_1 - l_eps_psi * by_I_psi_2);
+    let d_eps_ddot_by_I_psi = inv_eps * by_I_psi_2 - l_eps_psi * d_psi_ddot_by_I_psi;
     // derivatives with respect to I_eps
-    let by_I_eps_1 = l_eps_psi * slopes_2_plus_slopes_4 - slopes_3 - eps_ddot * c_theta_sq;
-    let d_theta_ddot_by_I_eps = -inv_theta * (l_theta_eps * by_I_eps_1 - l_theta_psi * slopes_2_plus_slopes_4);
-    let d_eps_ddot_by_I_eps = inv_eps * by_I_eps_1 - l_theta_eps * d_theta_ddot_by_I_eps;
-    let d_psi_ddot_by_I_eps = -inv_psi * slopes_2_plus_slopes_4 - l_eps_psi * d_eps_ddot_by_I_eps - l_theta_psi * d_theta_ddot_by_I_eps;
+    let d_psi_ddot_by_I_eps = inv_psi * (l_eps_psi * slopes_4 - slopes_3);
+    let d_eps_ddot_by_I_eps = -inv_eps * slopes_4 - l_eps_psi * d_psi_ddot_by_I_eps;
     // derivatives with respect to I_theta
-    let by_I_theta_1 = theta_ddot * s_eps - psi_ddot * s_eps * s_eps;
-    let l_eps_psi_by_I_theta_1 = l_eps_psi * by_I_theta_1;
-    let by_I_theta_2 = psi_ddot * s_eps - theta_ddot - l_theta_psi * by_I_theta_1;
-    let d_theta_ddot_by_I_theta = inv_theta * (by_I_theta_2 + l_theta_eps * l_eps_psi_by_I_theta_1);
-    let d_eps_ddot_by_I_theta = -inv_eps * l_eps_psi_by_I_theta_1 - l_theta_eps * d_theta_ddot_by_I_theta;
-    let d_psi_ddot_by_I_theta = inv_psi * by_I_theta_1 - l_eps_psi * d_eps_ddot_by_I_theta - l_theta_psi * d_theta_ddot_by_I_theta;
-    positive(M_psi_psi, 0)?;
-    positive(pivot_eps, 1)?;
-    positive(pivot_theta, 2)?;
+    let by_I_theta_1 = theta_ddot * s_eps - psi_ddot * (1.0 - c_eps * c_eps);
+    let by_I_theta_2 = psi_ddot * s_eps - theta_ddot;
+    let d_psi_ddot_by_I_theta = inv_psi * (by_I_theta_1 - l_theta_psi * by_I_theta_2);
+    let d_theta_ddot_by_I_theta = inv_theta * by_I_theta_2 - l_theta_psi * d_psi_ddot_by_I_theta;
+    positive(p.I_theta, 2)?;
+    positive(M_eps_eps, 1)?;
+    positive(pivot_psi, 0)?;
     Ok([
         [0.0; 15], // psi'
         [0.0; 15], // eps'
@@ -775,25 +730,25 @@ pub fn parameter_jacobian(x: &State, u: &Inputs, p: &Parameters) -> Result<[[f64
             l_oc: d_eps_ddot_by_l_oc,
             l_ob: d_eps_ddot_by_l_ob,
             l_oa: d_eps_ddot_by_l_oa,
-            l_df: d_eps_ddot_by_l_df,
+            l_df: -l_eps_psi * d_psi_ddot_by_l_df,
             I_psi: d_eps_ddot_by_I_psi,
             I_eps: d_eps_ddot_by_I_eps,
-            I_theta: d_eps_ddot_by_I_theta,
+            I_theta: -l_eps_psi * d_psi_ddot_by_I_theta,
             ..Parameters::ZERO
         }
         .to_array(),
         // theta''
         Parameters {
-            m_h: d_theta_ddot_by_m_h,
-            m_b: d_theta_ddot_by_m_b,
-            m_c: d_theta_ddot_by_m_c,
-            g: d_theta_ddot_by_g,
-            l_oc: d_theta_ddot_by_l_oc,
-            l_ob: d_theta_ddot_by_l_ob,
-            l_oa: d_theta_ddot_by_l_oa,
+            m_h: -l_theta_psi * d_psi_ddot_by_m_h,
+            m_b: -l_theta_psi * d_psi_ddot_by_m_b,
+            m_c: -l_theta_psi * d_psi_ddot_by_m_c,
+            g: -l_theta_psi * d_psi_ddot_by_g,
+            l_oc: -l_theta_psi * d_psi_ddot_by_l_oc,
+            l_ob: -l_theta_psi * d_psi_ddot_by_l_ob,
+            l_oa: -l_theta_psi * d_psi_ddot_by_l_oa,
             l_df: d_theta_ddot_by_l_df,
-            I_psi: d_theta_ddot_by_I_psi,
-            I_eps: d_theta_ddot_by_I_eps,
+            I_psi: -l_theta_psi * d_psi_ddot_by_I_psi,
+            I_eps: -l_theta_psi * d_psi_ddot_by_I_eps,
             I_theta: d_theta_ddot_by_I_theta,
             ..Parameters::ZERO
         }

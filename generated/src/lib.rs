@@ -56,3 +56,24 @@ pub mod quanser_ads_driven;
 
 /// Two arms on one column.
 pub mod tree;
+
+/// All models, by the names of their rigs' files.
+pub const MODELS: [(&str, &dyn runtime::Model); 17] = [
+    ("acrobot", &acrobot::Acrobot),
+    ("aero", &aero::Aero),
+    ("cart_pole", &cart_pole::CartPole),
+    ("chain3", &chain3::Chain3),
+    ("double_pendulum", &double_pendulum::DoublePendulum),
+    ("emps", &emps::Emps),
+    ("flexible_joint", &flexible_joint::FlexibleJoint),
+    ("furuta", &furuta::Furuta),
+    ("googol", &googol::Googol),
+    ("googol_eq13", &googol_eq13::GoogolEq13),
+    ("googol_identified", &googol_identified::GoogolIdentified),
+    ("googol_mrb", &googol_mrb::GoogolMrb),
+    ("googol_srb", &googol_srb::GoogolSrb),
+    ("quanser", &quanser::Quanser),
+    ("quanser_ads", &quanser_ads::QuanserAds),
+    ("quanser_ads_driven", &quanser_ads_driven::QuanserAdsDriven),
+    ("tree", &tree::Tree),
+];
