@@ -57,7 +57,11 @@ fn environment(folder: &Path) -> Result<std::path::PathBuf, String> {
 fn run(command: &mut Command) -> Result<String, String> {
     let shown = format!("{command:?}");
     let out = command.output().map_err(|e| format!("{shown}: {e}"))?;
-    if out.status.success() { Ok(String::from_utf8_lossy(&out.stdout).into_owned()) } else { Err(format!("{shown} failed:\n{}", String::from_utf8_lossy(&out.stderr))) }
+    if out.status.success() {
+        Ok(String::from_utf8_lossy(&out.stdout).into_owned())
+    } else {
+        Err(format!("{shown} failed:\n{}", String::from_utf8_lossy(&out.stderr)))
+    }
 }
 
 fn peer(line: &str) -> Option<Peer> {
@@ -70,5 +74,10 @@ fn peer(line: &str) -> Option<Peer> {
             call_ns: [way.get("f_ns")?.as_f64()?, way.get("jacobians_ns")?.as_f64()?],
         })
     };
-    Some(Peer { derive_s: figures.get("derive_s")?.as_f64()?, users: way("users")?, ours: way("ours")?, difference: figures.get("difference")?.as_f64()? })
+    Some(Peer {
+        derive_s: figures.get("derive_s")?.as_f64()?,
+        users: way("users")?,
+        ours: way("ours")?,
+        difference: figures.get("difference")?.as_f64()?,
+    })
 }

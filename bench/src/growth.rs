@@ -11,9 +11,10 @@ const JOINTS: [usize; 9] = [2, 3, 4, 6, 8, 10, 15, 20, 30];
 /// # Errors
 /// What deriving says.
 pub fn table() -> Result<Table, String> {
-    let mut table = Table::new("growth with the number of joints", &[
-        "joints", "shape", "derive [ms]", "ops x'", "ops [A, B]", "compile x' [ms]", "[A, B] [ms]", "call x' [ns]", "[A, B] [ns]",
-    ]);
+    let mut table = Table::new(
+        "growth with the number of joints",
+        &["joints", "shape", "derive [ms]", "ops x'", "ops [A, B]", "compile x' [ms]", "[A, B] [ms]", "call x' [ns]", "[A, B] [ns]"],
+    );
     for (shape, name) in [(Shape::Planar, "planar chain"), (Shape::Chain, "chain z, y, x"), (Shape::Tree, "tree z, y, x")] {
         for n in JOINTS {
             let rig = rigs::check("family", &rigs::family(shape, n))?;
@@ -21,7 +22,17 @@ pub fn table() -> Result<Table, String> {
             let ms = |x: f64| format!("{x:.1}");
             let ns = |x: f64| format!("{x:.0}");
             let [forward, linear] = f.operations.map(|n| n.to_string());
-            table.row(vec![n.to_string(), name.to_owned(), ms(f.derive_ms), forward, linear, ms(f.compile_ms[0]), ms(f.compile_ms[1]), ns(f.call_ns[0]), ns(f.call_ns[1])]);
+            table.row(vec![
+                n.to_string(),
+                name.to_owned(),
+                ms(f.derive_ms),
+                forward,
+                linear,
+                ms(f.compile_ms[0]),
+                ms(f.compile_ms[1]),
+                ns(f.call_ns[0]),
+                ns(f.call_ns[1]),
+            ]);
         }
     }
     Ok(table)

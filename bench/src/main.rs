@@ -92,15 +92,17 @@ fn peers(folder: &Path, bench: &Path) -> Result<Vec<casadi::Peer>, String> {
 
 /// Time per call. CasADi's [A, B] are compared with our x', A and B together.
 fn calls_table(figures: &[Figures], rust: Option<&[rust::Generated]>, peers: Option<&[casadi::Peer]>) -> Table {
-    let mut table = Table::new("time per call [ns], least of many batches; in brackets CasADi's time over that of our generated Rust (or in process)", &[
-        "model", "what", "ops", "in process", "Rust", "CasADi ops", "CasADi", "", "CasADi, our equations", "",
-    ]);
+    let mut table = Table::new(
+        "time per call [ns], least of many batches; in brackets CasADi's time over that of our generated Rust (or in process)",
+        &["model", "what", "ops", "interpreted", "in process", "Rust", "CasADi ops", "CasADi", "", "CasADi, our equations", ""],
+    );
     for (k, (name, _)) in rigs::COMPARED.iter().enumerate() {
         for (w, what) in ["x'", "[A, B]"].into_iter().enumerate() {
             let own = figures[k].call_ns[w];
             let generated = rust.map(|r| r[k].call_ns[w]);
             let best = generated.unwrap_or(own);
-            let mut row = vec![(*name).to_owned(), what.to_owned(), figures[k].operations[w].to_string(), format!("{own:.0}")];
+            let mut row = vec![(*name).to_owned(), what.to_owned(), figures[k].operations[w].to_string()];
+            row.extend([figures[k].interpreted_ns[w], own].map(|ns| format!("{ns:.0}")));
             row.push(generated.map_or_else(String::new, |ns| format!("{ns:.0}")));
             if let Some(peer) = peers.map(|p| &p[k]) {
                 row.push(peer.users.operations[w].to_string());
@@ -116,12 +118,24 @@ fn calls_table(figures: &[Figures], rust: Option<&[rust::Generated]>, peers: Opt
 }
 
 fn making_table(figures: &[Figures], rust: Option<&[rust::Generated]>, peers: Option<&[casadi::Peer]>) -> Table {
-    let mut table = Table::new("making the model", &[
-        "model", "derive [ms]", "compile x' [ms]", "[A, B] [ms]", "Rust [lines]", "cargo build [s]", "CasADi derive [s]", "gcc [s]", "gcc, our equations [s]",
-    ]);
+    let mut table = Table::new(
+        "making the model",
+        &[
+            "model",
+            "derive [ms]",
+            "compile x' [ms]",
+            "[A, B] [ms]",
+            "Rust [lines]",
+            "cargo build [s]",
+            "CasADi derive [s]",
+            "gcc [s]",
+            "gcc, our equations [s]",
+        ],
+    );
     for (k, (name, _)) in rigs::COMPARED.iter().enumerate() {
         let f = &figures[k];
-        let mut row = vec![(*name).to_owned(), format!("{:.1}", f.derive_ms), format!("{:.1}", f.compile_ms[0]), format!("{:.1}", f.compile_ms[1])];
+        let mut row =
+            vec![(*name).to_owned(), format!("{:.1}", f.derive_ms), format!("{:.1}", f.compile_ms[0]), format!("{:.1}", f.compile_ms[1])];
         row.extend(rust.map_or_else(|| vec![String::new(); 2], |r| vec![r[k].lines.to_string(), format!("{:.1}", r[k].build_s)]));
         if let Some(p) = peers.map(|p| &p[k]) {
             row.extend([format!("{:.2}", p.derive_s), format!("{:.1}", p.users.gcc_s), format!("{:.1}", p.ours.gcc_s)]);
@@ -137,7 +151,8 @@ fn hand_written(figures: &Figures, rust: Option<&[rust::Generated]>) -> Result<S
     let model = jit::InProcess::new(rigs::equations(&rigs::check(name, text)?)?);
     let calls::Point { x, u, p } = calls::Point::of(&model);
     let wrong = |_| "heli3 has other sizes than the function written by hand".to_owned();
-    let (mut x, u, p): ([f64; 6], [f64; 2], [f64; 16]) = (x.try_into().map_err(wrong)?, u.try_into().map_err(wrong)?, p.try_into().map_err(wrong)?);
+    let (mut x, u, p): ([f64; 6], [f64; 2], [f64; 16]) =
+        (x.try_into().map_err(wrong)?, u.try_into().map_err(wrong)?, p.try_into().map_err(wrong)?);
     let mut derived = [0.0; 6];
     model.rhs(0.0, &x, &u, &p, &mut derived).map_err(|_| "heli3 is singular")?;
     let by_hand = hand::heli3(&x, &u, &p);

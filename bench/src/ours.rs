@@ -16,6 +16,8 @@ pub struct Figures {
     pub compile_ms: [f64; 2],
     /// Time per call of x', and of x' with A and B [ns].
     pub call_ns: [f64; 2],
+    /// The same, interpreted [ns].
+    pub interpreted_ns: [f64; 2],
 }
 
 /// Measures a rig.
@@ -38,5 +40,7 @@ pub fn measure(rig: &Rig, runs: usize) -> Result<(Figures, Equations), String> {
             }
         }
     }
-    Ok((Figures { derive_ms, operations, compile_ms, call_ns }, equations))
+    let model = InProcess::evaluated(rigs::equations(rig)?, Evaluation::Interpreted);
+    let interpreted_ns = crate::calls::both(&model);
+    Ok((Figures { derive_ms, operations, compile_ms, call_ns, interpreted_ns }, equations))
 }

@@ -61,8 +61,14 @@ pub fn measure(folder: &Path, bench: &Path, models: &[(&str, &Equations)]) -> Re
     let cargo = |arguments: &[&str]| {
         let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         command.current_dir(&package).args(arguments).arg("--quiet").env("CARGO_TARGET_DIR", &target);
+        // as CasADi's C: for this machine
+        command.env("RUSTFLAGS", "-C target-cpu=native");
         let out = command.output().map_err(|e| format!("{command:?}: {e}"))?;
-        if out.status.success() { Ok(String::from_utf8_lossy(&out.stdout).into_owned()) } else { Err(format!("{command:?} failed:\n{}", String::from_utf8_lossy(&out.stderr))) }
+        if out.status.success() {
+            Ok(String::from_utf8_lossy(&out.stdout).into_owned())
+        } else {
+            Err(format!("{command:?} failed:\n{}", String::from_utf8_lossy(&out.stderr)))
+        }
     };
     cargo(&["build", "--release", "--lib"])?;
     let mut figures = Vec::new();

@@ -1,9 +1,10 @@
 //! Machine code of a tape, by cranelift.
 //!
 //! Straight-line code in parts of bounded length, since register allocation grows faster than a block does. A
-//! value that another part uses, and every sine and cosine, lives in scratch memory; inputs are read where they
-//! are used, as memory operands; the rest is left to the register allocator. No `unsafe` here: the product is
-//! a [`Code`], which says what calling it rests on.
+//! value that another part uses, and every sine and cosine, lives in scratch memory; these and inputs are read where
+//! they are used; the rest is left to the register allocator. Where the machine multiplies and adds in
+//! one instruction, a product that is used once, by a sum, is part of the sum. No `unsafe` here: the product is a
+//! [`Code`], which says what calling it rests on.
 
 use crate::native::{Code, Frame, sin_cos};
 use crate::program::RESULTS;
@@ -11,7 +12,7 @@ use crate::tape::{Input, Step, Tape};
 use codegen::expr::{F1, F2};
 use cranelift_codegen::ir::condcodes::FloatCC;
 use cranelift_codegen::ir::{AbiParam, FuncRef, InstBuilder, MemFlagsData, Type, Value, types};
-use cranelift_codegen::isa::OwnedTargetIsa;
+use cranelift_codegen::isa::{OwnedTargetIsa, TargetIsa};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{JITBuilder, JITModule};
@@ -21,8 +22,11 @@ use std::fmt;
 use std::mem::offset_of;
 use std::ops::Range;
 
-/// Steps in one part.
+/// Steps in one part: up to here compile time is proportional to size, and larger parts run no faster.
 const PART: usize = 500;
+/// Operations for which a value that was read from memory is kept at hand. Kept for longer it drives others out of
+/// the registers; read anew each time it costs an instruction.
+const NEAR: usize = 16;
 
 /// Why there is no machine code; the interpreter takes over.
 #[derive(Debug)]
@@ -55,8 +59,9 @@ impl From<ModuleError> for NoCode {
 /// # Errors
 /// [`NoCode`] where this machine cannot be given code.
 pub fn compile(tape: &Tape) -> Result<Code, NoCode> {
-    let plan = Plan::new(tape, PART);
-    let mut builder = JITBuilder::with_isa(host()?, default_libcall_names());
+    let isa = host()?;
+    let plan = Plan::new(tape, PART, multiplies_and_adds(&*isa));
+    let mut builder = JITBuilder::with_isa(isa, default_libcall_names());
     Imports::register(&mut builder);
     let mut module = JITModule::new(builder);
     let imports = Imports::declare(&mut module)?;
@@ -90,6 +95,12 @@ fn host() -> Result<OwnedTargetIsa, NoCode> {
     }
     let host = cranelift_native::builder().map_err(NoCode::Host)?;
     host.finish(settings::Flags::new(flags)).map_err(|e| NoCode::Refused(e.to_string()))
+}
+
+/// Whether a product and a sum are one instruction here; where not, cranelift would call a function.
+fn multiplies_and_adds(isa: &dyn TargetIsa) -> bool {
+    let has = |name: &str| isa.isa_flags().iter().any(|flag| flag.name == name && flag.as_bool() == Some(true));
+    if cfg!(target_arch = "x86_64") { has("has_avx") && has("has_fma") } else { cfg!(any(target_arch = "aarch64", target_arch = "s390x")) }
 }
 
 /// A function of the process that machine code calls.
@@ -167,12 +178,14 @@ struct Plan {
     slot: Vec<Option<u32>>,
     /// sin and cos of one angle: for either step, the other.
     pair: Vec<Option<u32>>,
+    /// Products that are computed within the sum that uses them.
+    fused: Vec<bool>,
     /// Numbers of scratch memory.
     scratch: usize,
 }
 
 impl Plan {
-    fn new(tape: &Tape, part: usize) -> Self {
+    fn new(tape: &Tape, part: usize, multiplies_and_adds: bool) -> Self {
         let n = tape.steps.len();
         let pair = pairs(&tape.steps);
         // last part that uses each value
@@ -211,8 +224,27 @@ impl Plan {
             free.append(&mut ends[k]);
         }
         let bounds = (0..=parts).map(|k| (k * part).min(n)).collect();
-        Self { bounds, slot, pair, scratch: scratch as usize }
+        Self { bounds, slot, pair, fused: if multiplies_and_adds { fused(tape, part) } else { vec![false; n] }, scratch: scratch as usize }
     }
+}
+
+/// Products that are used once, by a sum of the same part. Of two products in one sum the later one, since more waits for it.
+fn fused(tape: &Tape, part: usize) -> Vec<bool> {
+    let mut uses = vec![0_u32; tape.steps.len()];
+    let results = tape.results.iter().flatten().chain(&tape.pivots).copied();
+    for value in tape.steps.iter().flat_map(|s| s.operands()).chain(results) {
+        uses[value as usize] += 1;
+    }
+    let mut fused = vec![false; tape.steps.len()];
+    for (i, step) in tape.steps.iter().enumerate() {
+        if let Step::Add(a, b) | Step::Sub(a, b) = *step {
+            let fits = |k: u32| matches!(tape.steps[k as usize], Step::Mul(..)) && uses[k as usize] == 1 && k as usize / part == i / part;
+            if let Some(product) = [a, b].into_iter().filter(|&k| fits(k)).max() {
+                fused[product as usize] = true;
+            }
+        }
+    }
+    fused
 }
 
 /// For each sine, the cosine of the same angle, and the other way round.
@@ -247,6 +279,9 @@ struct Part<'a, 'f> {
     values: Vec<Option<Value>>,
     pointers: Pointers,
     callees: FxHashMap<&'static str, FuncRef>,
+    /// Operations so far, and what was read from memory lately: value, and when it was used last.
+    operations: usize,
+    lately: FxHashMap<u32, (Value, usize)>,
 }
 
 /// What stands in the frame.
@@ -290,7 +325,19 @@ impl<'a, 'f> Part<'a, 'f> {
         b.seal_block(block);
         let frame = b.block_params(block)[0];
         let pointers = Pointers::load(&mut b, frame, module.target_config().pointer_type());
-        Self { tape, plan, imports, module, b, start: 0, values: Vec::new(), pointers, callees: FxHashMap::default() }
+        Self {
+            tape,
+            plan,
+            imports,
+            module,
+            b,
+            start: 0,
+            values: Vec::new(),
+            pointers,
+            callees: FxHashMap::default(),
+            operations: 0,
+            lately: FxHashMap::default(),
+        }
     }
 
     /// The code of the steps in `range`.
@@ -309,9 +356,10 @@ impl<'a, 'f> Part<'a, 'f> {
             let step = self.tape.steps[i];
             match (self.plan.pair[i], step) {
                 (Some(other), Step::Call(_, angle)) => self.sin_and_cos(i, other as usize, angle),
-                _ if step.is_leaf() => {}
+                _ if step.is_leaf() || self.plan.fused[i] => {}
                 _ => {
                     let value = self.operation(step);
+                    self.operations += 1;
                     self.values[i - self.start] = Some(value);
                     if let Some(slot) = self.plan.slot[i] {
                         self.b.ins().store(MemFlagsData::trusted(), value, self.pointers.scratch, offset(slot as usize));
@@ -348,7 +396,20 @@ impl<'a, 'f> Part<'a, 'f> {
 
     /// The value of a step for use here.
     fn operand(&mut self, i: u32) -> Value {
-        let i = i as usize;
+        if let Some(value) = (i as usize).checked_sub(self.start).and_then(|k| self.values[k]) {
+            return value;
+        }
+        let now = self.operations;
+        let value = match self.lately.get(&i) {
+            Some(&(value, then)) if now - then <= NEAR => value,
+            _ => self.read(i as usize),
+        };
+        self.lately.insert(i, (value, now));
+        value
+    }
+
+    /// A number, an input or a value in scratch memory.
+    fn read(&mut self, i: usize) -> Value {
         let load = |b: &mut FunctionBuilder, base, place| b.ins().load(types::F64, reading(), base, offset(place));
         match self.tape.steps[i] {
             Step::Number(x) => self.b.ins().f64const(x),
@@ -356,13 +417,11 @@ impl<'a, 'f> Part<'a, 'f> {
             Step::Input(Input::X(k)) => load(&mut self.b, self.pointers.x, k),
             Step::Input(Input::U(k)) => load(&mut self.b, self.pointers.u, k),
             Step::Input(Input::P(k)) => load(&mut self.b, self.pointers.p, k),
-            _ => match i.checked_sub(self.start).and_then(|k| self.values[k]) {
-                Some(value) => value,
-                None => {
-                    let slot = self.plan.slot[i].unwrap_or(0);
-                    self.b.ins().load(types::F64, MemFlagsData::trusted(), self.pointers.scratch, offset(slot as usize))
-                }
-            },
+            // another part's value, or a sine or cosine: the plan gave it a slot
+            _ => {
+                let slot = self.plan.slot[i].unwrap_or(0);
+                self.b.ins().load(types::F64, MemFlagsData::trusted(), self.pointers.scratch, offset(slot as usize))
+            }
         }
     }
 
@@ -370,14 +429,36 @@ impl<'a, 'f> Part<'a, 'f> {
         match step {
             // leaves are read where they are used
             Step::Number(_) | Step::Input(_) => self.number(f64::NAN),
-            Step::Add(i, j) => {
-                let (a, c) = (self.operand(i), self.operand(j));
-                self.b.ins().fadd(a, c)
-            }
-            Step::Sub(i, j) => {
-                let (a, c) = (self.operand(i), self.operand(j));
-                self.b.ins().fsub(a, c)
-            }
+            Step::Add(i, j) => match (self.product(i), self.product(j)) {
+                (Some((x, y)), _) => {
+                    let rest = self.operand(j);
+                    self.b.ins().fma(x, y, rest)
+                }
+                (None, Some((x, y))) => {
+                    let rest = self.operand(i);
+                    self.b.ins().fma(x, y, rest)
+                }
+                (None, None) => {
+                    let (a, c) = (self.operand(i), self.operand(j));
+                    self.b.ins().fadd(a, c)
+                }
+            },
+            Step::Sub(i, j) => match (self.product(i), self.product(j)) {
+                (Some((x, y)), _) => {
+                    let rest = self.operand(j);
+                    let minus = self.b.ins().fneg(rest);
+                    self.b.ins().fma(x, y, minus)
+                }
+                (None, Some((x, y))) => {
+                    let rest = self.operand(i);
+                    let minus = self.b.ins().fneg(x);
+                    self.b.ins().fma(minus, y, rest)
+                }
+                (None, None) => {
+                    let (a, c) = (self.operand(i), self.operand(j));
+                    self.b.ins().fsub(a, c)
+                }
+            },
             Step::Mul(i, j) => {
                 let (a, c) = (self.operand(i), self.operand(j));
                 self.b.ins().fmul(a, c)
@@ -402,6 +483,14 @@ impl<'a, 'f> Part<'a, 'f> {
                 let (a, c) = (self.operand(i), self.operand(j));
                 self.function2(f, a, c)
             }
+        }
+    }
+
+    /// Factors of a product that is computed within its sum.
+    fn product(&mut self, i: u32) -> Option<(Value, Value)> {
+        match self.tape.steps[i as usize] {
+            Step::Mul(x, y) if self.plan.fused[i as usize] => Some((self.operand(x), self.operand(y))),
+            _ => None,
         }
     }
 

@@ -38,8 +38,9 @@ pub enum Evaluation {
     Interpreted,
 }
 
-/// Calls after which a program is compiled. Compiling costs about as much time as this many interpreted calls.
-const WARM: u32 = 400;
+/// Calls after which a program is compiled. Compiling costs as much time as one to three thousand interpreted calls,
+/// whatever the size.
+const WARM: u32 = 1000;
 
 /// A program for lists of roots.
 pub struct Program {

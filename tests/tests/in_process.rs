@@ -216,3 +216,33 @@ fn a_singular_mass_matrix_names_its_coordinate() {
         assert_eq!(model.rhs(0.0, &[0.1, 0.2, 0.3, 0.4], &[], &[0.0], &mut dx), Err(Singular { coordinate: 1 }));
     }
 }
+
+#[test]
+fn sines_of_all_sizes_of_angles_keep_their_digits() {
+    let rig = rig_of_text(
+        "rig Angles { coord a: rad; frame f = ground.rotate(x, a); body b on f { mass 1 kg; inertia diag(1, 1, 1); }
+         output s: 1 = sin(a); output c: 1 = cos(a); }",
+    );
+    let model = InProcess::evaluated(derive(&rig, Options::default()).unwrap_or_else(|error| panic!("{error}")), Evaluation::Compiled);
+    let mut r = Random::new(1);
+    let mut angles = vec![0.0, -0.0, 1e-300, f64::MIN_POSITIVE, 1e6, -1e6, 1.1e6, 1e15, -1e300];
+    for _ in 0..20_000 {
+        let size = 10.0_f64.powf(r.within(-12.0, 7.0));
+        angles.push(size * r.within(-1.0, 1.0));
+        // the numbers nearest to multiples of a quarter turn, where digits cancel
+        angles.push((r.below(600_000) as f64 - 300_000.0) * std::f64::consts::FRAC_PI_2);
+    }
+    for angle in angles {
+        let mut y = [0.0; 2];
+        model.outputs(0.0, &[angle, 0.0], &[], &mut y);
+        for (value, wanted) in y.into_iter().zip([angle.sin(), angle.cos()]) {
+            // three units in the last place: two of ours, one of the library's
+            assert!((value - wanted).abs() <= 3.0 * f64::EPSILON * wanted.abs(), "angle {angle:e}: {value:e} instead of {wanted:e}");
+        }
+    }
+    for angle in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let mut y = [0.0; 2];
+        model.outputs(0.0, &[angle, 0.0], &[], &mut y);
+        assert!(y.iter().all(|v| v.is_nan()));
+    }
+}
