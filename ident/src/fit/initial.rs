@@ -3,7 +3,7 @@
 //! Each measured output is fitted over 0.2 s by the polynomial of degree 1 to 3 that the Bayesian information criterion
 //! prefers: that is where a fit starts. A prior of rates is not laid on the rate at the first sample, for which an
 //! acceleration would pass, but on the slope of the straight line over the 0.2 s: the model's must be the measured one to
-//! within its standard error, which is never less than what an encoder's quantum allows.
+//! within its standard error, samples having at least the standard deviation of an encoder's quantum.
 
 use super::data::{Data, spread};
 use super::options::{InitialStates, Known};
@@ -83,7 +83,7 @@ pub(crate) fn estimate(
         let rate = if states.rates == Known::Fixed { 0.0 } else { fitted.rate };
         lines.push((i, Line { value, rate }));
         errors.push((fitted.noise, fitted.rate_error));
-        slopes.push(slope(output, t, y, fitted.noise, floor));
+        slopes.push(slope(output, t, y, fitted.noise));
     }
     let x = state_from(model, p, t0, &lines, &data.inputs(model, p, t0));
 
@@ -113,14 +113,12 @@ pub(crate) fn estimate(
 }
 
 /// The straight line over the samples; `noise` is their standard deviation.
-fn slope(output: usize, t: &[f64], y: &[f64], noise: f64, floor: f64) -> Slope {
+fn slope(output: usize, t: &[f64], y: &[f64], noise: f64) -> Slope {
     let mean = t.iter().sum::<f64>() / t.len() as f64;
     let squares: f64 = t.iter().map(|t| (t - mean).powi(2)).sum();
     let weights: Vec<f64> = t.iter().map(|t| (t - mean) / squares.max(f64::MIN_POSITIVE)).collect();
     let value = weights.iter().zip(y).map(|(w, y)| w * y).sum();
-    // errors of an encoder that stands still or creeps do not average out
-    let creeping = floor / (t[t.len() - 1] - t[0]).max(f64::MIN_POSITIVE);
-    Slope { output, weights, value, sd: (noise / squares.sqrt()).max(creeping) }
+    Slope { output, weights, value, sd: noise / squares.max(f64::MIN_POSITIVE).sqrt() }
 }
 
 struct Beginning {
