@@ -1,10 +1,12 @@
 //! Shared pieces of the cross-crate checks: where things lie, repeatable random numbers, random rigs.
 
 pub mod c_compiler;
+pub mod c_program;
 pub mod calls;
 pub mod close;
 #[rustfmt::skip]
 pub mod named;
+pub mod odd_rigs;
 pub mod random;
 pub mod random_rig;
 pub mod states;
