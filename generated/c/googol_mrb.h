@@ -7,7 +7,8 @@
  * factor sin(theta); see `googol_eq13.rig`.
  *
  * Assumed: no velocity products; M = diag(I_psi, I_eps, I_theta).
- * 50 operations forward, 98 with A and B. Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
+ * 50 operations forward, 98 with A and B.
+ * Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

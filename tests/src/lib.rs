@@ -2,10 +2,12 @@
 
 pub mod bench_rig;
 pub mod c_compiler;
+pub mod c_program;
 pub mod calls;
 pub mod close;
 #[rustfmt::skip]
 pub mod named;
+pub mod odd_rigs;
 pub mod random;
 pub mod random_rig;
 pub mod trims;

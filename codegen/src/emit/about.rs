@@ -25,21 +25,47 @@ impl Header {
         let jacobians = if e.linear.a.is_empty() { String::new() } else { format!(", {} with A and B", e.jacobian_operations()) };
         let checked = match e.cross_check {
             CrossCheck::Agree { .. } if !e.assumptions.is_empty() => {
-                " Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds."
+                Some("Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.")
             }
-            CrossCheck::Agree { .. } => " Derived twice, body by body and by Lagrange: they agree; the power balance holds.",
-            CrossCheck::NotApplicable => "",
+            CrossCheck::Agree { .. } => Some("Derived twice, body by body and by Lagrange: they agree; the power balance holds."),
+            CrossCheck::NotApplicable => None,
         };
-        lines.push(format!("{} operations forward{jacobians}.{checked}", e.forward_operations()));
+        lines.push(format!("{} operations forward{jacobians}.", e.forward_operations()));
+        lines.extend(checked.map(str::to_owned));
         lines.push(String::new());
         lines.push("M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.".to_owned());
         Self(lines)
     }
 
-    /// Its lines.
-    pub fn lines(&self) -> &[String] {
-        &self.0
+    /// Its lines, of at most so many characters.
+    pub fn lines(&self, width: usize) -> Vec<String> {
+        wrapped(&self.0, width)
     }
+}
+
+/// Words in lines of at most so many characters. Lines of a table (between ``` lines) stay as they are.
+pub fn wrapped(lines: &[String], width: usize) -> Vec<String> {
+    let mut out = Vec::new();
+    let mut table = false;
+    for line in lines {
+        table ^= line.starts_with("```");
+        if table || line.chars().count() <= width {
+            out.push(line.clone());
+            continue;
+        }
+        let mut row = String::new();
+        for word in line.split(' ') {
+            if !row.is_empty() && row.chars().count() + 1 + word.chars().count() > width {
+                out.push(std::mem::take(&mut row));
+            }
+            if !row.is_empty() {
+                row.push(' ');
+            }
+            row.push_str(word);
+        }
+        out.push(row);
+    }
+    out
 }
 
 /// What the statements of a scope are about.

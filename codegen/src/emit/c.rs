@@ -1,7 +1,7 @@
 //! C99: a header and a source file, structs and functions prefixed by the rig's name; no heap, no globals.
 //! The same content as the Rust module, printed from the same plans.
 
-use super::about::{Header, about};
+use super::about::{Header, about, wrapped};
 use super::form::{Form, number};
 use super::functions::{Function, Shape, Vector, entries, functions, place};
 use super::names::{CALLED_C, LETTERS, Language, Names, RESULTS_C, identifier, snake};
@@ -39,7 +39,7 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
     let fields = Fields::new(e);
     let prefix = &fields.prefix;
     let guard = format!("{}_H", prefix.to_uppercase());
-    let words: Vec<String> = Header::new(e, source).lines().iter().map(|line| format!(" * {line}").trim_end().to_owned()).collect();
+    let words: Vec<String> = Header::new(e, source).lines(WIDTH - 6).iter().map(|line| format!(" * {line}").trim_end().to_owned()).collect();
     let comment = format!("/*\n{}\n */\n", words.join("\n"));
     let mut header = format!("{comment}#ifndef {guard}\n#define {guard}\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n");
     structs(&mut header, e, &fields);
@@ -55,7 +55,8 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
     }
     for function in functions(e) {
         let prototype = prototype(&fields, &function);
-        let lines = function.doc.iter().filter(|line| !line.starts_with("```"));
+        let doc = wrapped(&function.doc, WIDTH - 6);
+        let lines = doc.iter().filter(|line| !line.starts_with("```"));
         let mut lines: Vec<String> = lines.map(|line| in_c(line)).collect();
         if function.pivots.is_some() {
             lines.push(String::new());

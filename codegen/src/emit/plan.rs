@@ -24,8 +24,8 @@ pub struct Plan {
     pub statements: Vec<Statement>,
     /// One for each root.
     pub results: Vec<Form>,
-    /// Statements whose values the results use.
-    pub result_uses: Vec<usize>,
+    /// Values that the results use.
+    pub result_uses: Vec<Value>,
     /// Symbols that the results read directly.
     pub result_symbols: Vec<SymbolId>,
     /// Functions that are called, by name.
@@ -47,10 +47,30 @@ pub struct Statement {
     pub needs_comment: bool,
     /// What it defines.
     pub defines: Defines,
-    /// Earlier statements that it uses.
-    pub uses: Vec<usize>,
+    /// Earlier values that it uses.
+    pub uses: Vec<Value>,
     /// Symbols that it reads directly.
     pub symbols: Vec<SymbolId>,
+}
+
+/// A value that a statement defines.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Value {
+    /// Statement that defines it.
+    pub statement: usize,
+    /// 1 for the cosine of a statement that defines sine and cosine.
+    pub which: usize,
+}
+
+impl Value {
+    /// Its name.
+    pub fn name<'a>(&self, plan: &'a Plan) -> &'a str {
+        match (&plan.statements[self.statement].defines, self.which) {
+            (Defines::Value { name, .. }, _) => name,
+            (Defines::SinCos { sin, .. }, 0) => sin,
+            (Defines::SinCos { cos, .. }, _) => cos,
+        }
+    }
 }
 
 /// What a statement defines.
@@ -72,16 +92,6 @@ pub enum Defines {
         /// Angle.
         angle: Form,
     },
-}
-
-impl Statement {
-    /// The names that it defines.
-    pub fn names(&self) -> Vec<&str> {
-        match &self.defines {
-            Defines::Value { name, .. } => vec![name],
-            Defines::SinCos { sin, cos, .. } => vec![sin, cos],
-        }
-    }
 }
 
 /// Plans the evaluation of `roots`.
@@ -332,7 +342,7 @@ impl<'a> Planner<'a> {
             let id = group[0];
             let (mut needed, mut symbols) = (Vec::new(), Vec::new());
             self.needs(id, &mut needed, &mut symbols);
-            let uses: BTreeSet<usize> = needed.iter().map(|x| self.named[x]).collect();
+            let uses: BTreeSet<Value> = needed.iter().map(|&x| self.value(x)).collect();
             symbols.sort_unstable();
             symbols.dedup();
             let mut needs_comment = false;
@@ -374,10 +384,17 @@ impl<'a> Planner<'a> {
                 self.needs(root, &mut needed, &mut symbols);
             }
         }
-        let result_uses: BTreeSet<usize> = needed.iter().map(|x| self.named[x]).collect();
+        let result_uses: BTreeSet<Value> = needed.iter().map(|&x| self.value(x)).collect();
         symbols.sort_unstable();
         symbols.dedup();
         Plan { statements, results, result_uses: result_uses.into_iter().collect(), result_symbols: symbols, calls }
+    }
+
+    /// Where a named value is defined.
+    fn value(&self, id: Id) -> Value {
+        let statement = self.named[&id];
+        let is_cosine_of_two = matches!(self.graph.node(id), Node::Call(F1::Cos, _)) && self.scheduled[statement].len() == 2;
+        Value { statement, which: usize::from(is_cosine_of_two) }
     }
 
     /// A value as it is used: its name, or its expression.

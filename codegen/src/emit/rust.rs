@@ -2,7 +2,7 @@
 //!
 //! The text is written directly, 140 columns wide, in rustfmt's manner.
 
-use super::about::{Header, about};
+use super::about::{Header, about, wrapped};
 use super::form::Form;
 use super::functions::{Function, Output, Shape, Vector, entries, functions, place};
 use super::names::{CALLED_RUST, LETTERS, Language, Names, identifier};
@@ -38,7 +38,7 @@ pub fn rust(equations: &Equations, source: &str) -> String {
     }
     uses.extend(["Singular", "positive"].iter().filter(|name| body.contains(&format!("{name}(")) || **name == "Singular"));
     let mut out = String::new();
-    for line in Header::new(equations, source).lines() {
+    for line in Header::new(equations, source).lines(WIDTH - 4) {
         let _ = writeln!(out, "{}", format!("//! {line}").trim_end());
     }
     out.push_str("#![allow(non_snake_case, rustdoc::broken_intra_doc_links)]\n");
@@ -316,7 +316,7 @@ fn write_function(out: &mut String, e: &Equations, fields: &Fields, function: &F
     for (k, part) in parts.iter().enumerate() {
         write_part(out, e, &name, &plan, part, k);
     }
-    for line in &function.doc {
+    for line in wrapped(&function.doc, WIDTH - 4) {
         let _ = writeln!(out, "{}", format!("/// {line}").trim_end());
     }
     if function.pivots.is_some() {

@@ -138,10 +138,12 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
         let dhdp = if np > 0 { "dhdp" } else { "_dhdp" };
         let _ = write!(
             out,
-            "\n    fn output_jacobian(&self, {}, c: &mut [f64], {dhdp}: &mut [f64]) {{\n{}        let slopes = {};\n        runtime::write_rows(c, &slopes.by_x);\n",
+            "\n    fn output_jacobian(&self, {}, c: &mut [f64], {dhdp}: &mut [f64]) {{\n{}        let slopes = {};\n        runtime::write_rows(c, &slopes{});\n",
             head("output_jacobian", &measured),
             unpack("output_jacobian"),
-            call("output_jacobian")
+            call("output_jacobian"),
+            // without parameters there is one result, and no record
+            if np > 0 { ".by_x" } else { "" }
         );
         if np > 0 {
             out.push_str("        runtime::write_rows(dhdp, &slopes.by_p);\n");

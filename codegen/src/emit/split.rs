@@ -1,6 +1,6 @@
 //! Long functions in parts: compilers take more than their share of time over very long ones.
 
-use super::plan::{Defines, Plan};
+use super::plan::{Plan, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -8,26 +8,6 @@ use std::ops::Range;
 const LONGEST: usize = 800;
 /// Statements of a part. Measured on a six-joint chain in space: rustc takes 1.6 times as long with one part.
 const PART: usize = 300;
-
-/// A value that crosses from one part to another.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub struct Value {
-    /// Statement that defines it.
-    pub statement: usize,
-    /// 1 for the cosine of a statement that defines sine and cosine.
-    pub which: usize,
-}
-
-impl Value {
-    /// Its name.
-    pub fn name<'a>(&self, plan: &'a Plan) -> &'a str {
-        match (&plan.statements[self.statement].defines, self.which) {
-            (Defines::Value { name, .. }, _) => name,
-            (Defines::SinCos { sin, .. }, 0) => sin,
-            (Defines::SinCos { cos, .. }, _) => cos,
-        }
-    }
-}
 
 /// A value taken over from an earlier part.
 pub struct Import {
@@ -65,19 +45,15 @@ pub fn split(plan: &Plan) -> (Vec<Part>, Part) {
     let size = if count == 0 { 0 } else { n.div_ceil(count) };
     let ranges: Vec<Range<usize>> = (0..count).map(|k| k * size..((k + 1) * size).min(n)).collect();
     let part_of = |statement: usize| ranges.iter().position(|r| r.contains(&statement));
-    let values = |statement: usize| {
-        let names = plan.statements[statement].names().len();
-        (0..names).map(move |which| Value { statement, which })
-    };
     // what crosses: values that a later part or the results use
     let mut crossing: Vec<BTreeSet<Value>> = vec![BTreeSet::new(); count];
     let mut needed: Vec<BTreeSet<Value>> = vec![BTreeSet::new(); count + 1];
-    let mut take = |used: usize, by: usize| {
-        if let Some(part) = part_of(used)
+    let mut take = |used: Value, by: usize| {
+        if let Some(part) = part_of(used.statement)
             && part < by
         {
-            crossing[part].extend(values(used));
-            needed[by].extend(values(used));
+            crossing[part].insert(used);
+            needed[by].insert(used);
         }
     };
     for (by, range) in ranges.iter().enumerate() {
