@@ -8,7 +8,8 @@
  * (github.com/finnferdinand/orbital-stabilization-quanser-aero); its yaw inertia leaves out
  * m_e d_x^2 (at most 0.3 %), which comes out here.
  *
- * 67 operations forward, 155 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 67 operations forward, 155 with A and B.
+ * Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

@@ -5,7 +5,8 @@
  * The numbers of gymnasium's CartPole (cart 1 kg, pole 0.1 kg, half length 0.5 m), with the pole a
  * uniform rod. theta = 0 is upright, positive towards +x.
  *
- * 33 operations forward, 64 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 33 operations forward, 64 with A and B.
+ * Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

@@ -6,7 +6,8 @@
  * shape of the chains on which derivation and speed are measured (joint axes alternate z, y, x, links along
  * x). Numbers: square aluminium bars of 30 mm, 2700 kg/m^3.
  *
- * 215 operations forward, 683 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 215 operations forward, 683 with A and B.
+ * Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

@@ -6,7 +6,8 @@
  * Spong, "Modeling and control of elastic joint robots", J. Dyn. Syst. Meas. Control 109 (1987). Numbers of
  * a small harmonic-drive joint, seen from the link's side, chosen here: the paper keeps symbols.
  *
- * 38 operations forward, 74 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 38 operations forward, 74 with A and B.
+ * Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

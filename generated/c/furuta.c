@@ -5,7 +5,8 @@
  * Uniform thin rods as in Quanser's QUBE-Servo 2 data sheet, motor rotor and hub on the arm's axis.
  * alpha = 0 hangs down; theta about the upright axis, alpha about the arm.
  *
- * 69 operations forward, 160 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 69 operations forward, 160 with A and B.
+ * Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

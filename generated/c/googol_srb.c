@@ -9,7 +9,8 @@
  * Without l_cd there is no pitch stiffness, and at eps = +-90 deg the mass matrix is singular.
  *
  * Assumed: l_cd = 0; no velocity products; no friction.
- * 60 operations forward, 141 with A and B. Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
+ * 60 operations forward, 141 with A and B.
+ * Derived twice before the assumptions, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

@@ -7,7 +7,8 @@
  * both ends as point masses and leave out the arm's own mass; with them the counterweight outweighs the
  * helicopter by 0.04 kg m. d and the friction are not in the manual: to be identified.
  *
- * 161 operations forward, 570 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 161 operations forward, 570 with A and B.
+ * Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

@@ -6,7 +6,8 @@
  * inertia, and the pull of gravity along the tilted arm. Motor and screw: Quanser's manual of the active
  * disturbance system; the rotor's inertia and the rail's friction are not published.
  *
- * 214 operations forward, 773 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 214 operations forward, 773 with A and B.
+ * Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

@@ -6,7 +6,8 @@
  * right one has an elbow too. The arms push on one another through the column. A test bed of our own
  * (no published rig of this kind comes with numbers): tubes of 0.5 kg/m, hubs of 0.2 kg.
  *
- * 219 operations forward, 598 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+ * 219 operations forward, 598 with A and B.
+ * Derived twice, body by body and by Lagrange: they agree; the power balance holds.
  *
  * M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
  */

@@ -5,7 +5,8 @@
 //! Tassa et al. 2018, arXiv 1801.00690). Links are capsules of 1 kg and 1 m; both angles are 0 with the
 //! arm standing upright, elbow relative to the upper arm.
 //!
-//! 61 operations forward, 146 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 61 operations forward, 146 with A and B.
+//! Derived twice, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]

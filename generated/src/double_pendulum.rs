@@ -8,7 +8,8 @@
 //! b v + c_f atan(100 v); here the same level, c_f pi/2, and the same slope at rest in one regularized
 //! Coulomb law. q1 = 0 hangs; q2 relative to the upper link.
 //!
-//! 83 operations forward, 182 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 83 operations forward, 182 with A and B.
+//! Derived twice, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]

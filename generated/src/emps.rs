@@ -6,7 +6,8 @@
 //! Benchmarks, 2019, with its published inverse-dynamics estimates. The offset is part of the friction,
 //! since the benchmark counts it there.
 //!
-//! 10 operations forward, 19 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 10 operations forward, 19 with A and B.
+//! Derived twice, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]

@@ -6,7 +6,8 @@
 //! (Engineering), 54(11), 2024, doi 10.13229/j.cnki.jdxbgxb.20220745; viscous friction as the authors
 //! used it before identification, times the inertias.
 //!
-//! 175 operations forward, 637 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 175 operations forward, 637 with A and B.
+//! Derived twice, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]

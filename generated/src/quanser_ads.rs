@@ -6,7 +6,8 @@
 //! 11 in with home in the middle, at most 0.08 m/s (Quanser's manual of the active disturbance system); the
 //! carriage's mass and the rail's place along the arm are not published.
 //!
-//! 189 operations forward, 706 with A and B. Derived twice, body by body and by Lagrange: they agree; the power balance holds.
+//! 189 operations forward, 706 with A and B.
+//! Derived twice, body by body and by Lagrange: they agree; the power balance holds.
 //!
 //! M(q) a + h(q, v) + d(q, v) = Q, state x = [q | v | z] with v = q', a = q''. SI units and radians.
 #![allow(non_snake_case, rustdoc::broken_intra_doc_links)]
