@@ -18,10 +18,9 @@ fn main() {
 
 fn run() -> Result<(), String> {
     let mut arguments = std::env::args().skip(1);
-    let path = arguments.next().map_or_else(
-        || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../examples/records/googol_open_loop_steps.toml"),
-        PathBuf::from,
-    );
+    let path = arguments
+        .next()
+        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../examples/records/googol_open_loop_steps.toml"), PathBuf::from);
     let repeats: usize = match arguments.next() {
         Some(text) => text.parse().map_err(|_| format!("`{text}` is no number of repeats"))?,
         None => 1,

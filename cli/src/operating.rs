@@ -38,7 +38,12 @@ pub fn find(loaded: &Loaded, model: &InProcess, point: &Point) -> Result<Found, 
             Some(found) => Some(found),
             None => {
                 let names: Vec<&str> = declared.iter().map(|t| t.name.as_str()).collect();
-                return Err(if names.is_empty() { Failure::new("C0103", format!("this rig has no trim `{name}`")).with_help("declare one: `trim NAME { zero ..; solve ..; }`") } else { unknown("trim", name, &names) });
+                return Err(if names.is_empty() {
+                    Failure::new("C0103", format!("this rig has no trim `{name}`"))
+                        .with_help("declare one: `trim NAME { zero ..; solve ..; }`")
+                } else {
+                    unknown("trim", name, &names)
+                });
             }
         },
         None => declared.first(),
@@ -74,17 +79,25 @@ fn failure(error: &TrimError, name: Option<&str>, layout: &Layout) -> Failure {
         TrimError::Singular { coordinate } => singular(coordinate),
         TrimError::NoConvergence { residual, coordinate, rank, unknowns, free, iterations } => {
             let unit = layout.q.iter().find(|q| q.name == *coordinate).map_or("SI", |q| q.unit.as_str());
-            let message = format!("{trim} has no solution near its start: after {iterations} steps an acceleration of {} {unit}/s^2 remains in `{coordinate}`", number(*residual));
+            let message = format!(
+                "{trim} has no solution near its start: after {iterations} steps an acceleration of {} {unit}/s^2 remains in `{coordinate}`",
+                number(*residual)
+            );
             let stuck: Vec<&str> = free.iter().flatten().map(|(n, _)| n.as_str()).collect();
             let help = if stuck.is_empty() {
-                "no value of the unknowns may exist for these numbers; give a start nearer to it, or hold something else with --at".to_owned()
+                "no value of the unknowns may exist for these numbers; give a start nearer to it, or hold something else with --at"
+                    .to_owned()
             } else {
-                format!("{} moves nothing there (rank {rank} of {unknowns}): solve for something that moves `{coordinate}`", stuck.join(", "))
+                format!(
+                    "{} moves nothing there (rank {rank} of {unknowns}): solve for something that moves `{coordinate}`",
+                    stuck.join(", ")
+                )
             };
             Failure::new("C0303", message).with_help(&help)
         }
         TrimError::NotSquare { .. } | TrimError::Shape => Failure::new("C0302", format!("{trim}: {error}")),
-        TrimError::NotFinite => Failure::new("C0304", format!("{trim}: a value stops being a number on the way")).with_help("check parameters that divide, and roots and logarithms of the rig"),
+        TrimError::NotFinite => Failure::new("C0304", format!("{trim}: a value stops being a number on the way"))
+            .with_help("check parameters that divide, and roots and logarithms of the rig"),
     }
 }
 
@@ -148,7 +161,11 @@ impl Found {
         }
         let cyclic: Vec<&str> = self.cyclic.iter().map(|&i| layout.q[i].name.as_str()).collect();
         if !cyclic.is_empty() {
-            let _ = write!(text, ", {} free", if cyclic.len() == 1 { format!("{} is", cyclic[0]) } else { format!("{} are", cyclic.join(", ")) });
+            let _ = write!(
+                text,
+                ", {} free",
+                if cyclic.len() == 1 { format!("{} is", cyclic[0]) } else { format!("{} are", cyclic.join(", ")) }
+            );
         }
         text.push('\n');
         for direction in &self.trim.free {
@@ -162,7 +179,13 @@ impl Found {
                 let _ = write!(text, "{}'' is {} {}/s^2 here", q.name, number(self.trim.drift[i]), q.unit);
                 match self.steady.iter().find(|(k, _)| *k == i) {
                     Some((_, rate)) => {
-                        let _ = write!(text, ": not an equilibrium; it vanishes in steady motion at {}' = {} {}/s", q.name, number(*rate), q.unit);
+                        let _ = write!(
+                            text,
+                            ": not an equilibrium; it vanishes in steady motion at {}' = {} {}/s",
+                            q.name,
+                            number(*rate),
+                            q.unit
+                        );
                     }
                     None => text.push_str(": not an equilibrium, the linear model carries it as a constant term"),
                 }
@@ -171,7 +194,15 @@ impl Found {
         }
         for (input, value) in loaded.rig.inputs.iter().zip(u) {
             if let Some((lo, hi)) = input.limits.filter(|(lo, hi)| value < lo || value > hi) {
-                let _ = writeln!(text, "{} = {} {} lies outside its limits {}..{}", input.name, number(*value), input.unit.text, number(lo), number(hi));
+                let _ = writeln!(
+                    text,
+                    "{} = {} {} lies outside its limits {}..{}",
+                    input.name,
+                    number(*value),
+                    input.unit.text,
+                    number(lo),
+                    number(hi)
+                );
             }
         }
         text
@@ -194,8 +225,14 @@ impl Found {
     /// Fields of the JSON documents: vectors in the order of `states`, `inputs` and `coordinates`.
     pub fn json(&self, loaded: &Loaded, layout: &Layout) -> Value {
         let n = layout.q.len();
-        let mut free: Vec<Value> = self.trim.free.iter().map(|d| Value::Object(d.iter().map(|(name, w)| (name.clone(), json!(w))).collect())).collect();
-        free.extend(self.cyclic.iter().filter(|&&i| !self.trim.free.iter().flatten().any(|(name, _)| *name == layout.q[i].name)).map(|&i| json!({&layout.q[i].name: 1.0})));
+        let mut free: Vec<Value> =
+            self.trim.free.iter().map(|d| Value::Object(d.iter().map(|(name, w)| (name.clone(), json!(w))).collect())).collect();
+        free.extend(
+            self.cyclic
+                .iter()
+                .filter(|&&i| !self.trim.free.iter().flatten().any(|(name, _)| *name == layout.q[i].name))
+                .map(|&i| json!({&layout.q[i].name: 1.0})),
+        );
         json!({
             "trim": self.name,
             "state": self.trim.x,

@@ -77,7 +77,8 @@ pub fn table(columns: &[String], rows: &[(String, Vec<f64>)], bar: usize) -> Str
     for (name, values) in rows {
         cells.push(std::iter::once(name.clone()).chain(values.iter().map(|x| entry(*x))).collect());
     }
-    let widths: Vec<usize> = (0..=columns.len()).map(|c| cells.iter().filter_map(|r| r.get(c)).map(|cell| cell.chars().count()).max().unwrap_or(0)).collect();
+    let widths: Vec<usize> =
+        (0..=columns.len()).map(|c| cells.iter().filter_map(|r| r.get(c)).map(|cell| cell.chars().count()).max().unwrap_or(0)).collect();
     let mut text = String::new();
     for row in &cells {
         for (c, cell) in row.iter().enumerate() {

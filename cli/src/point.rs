@@ -26,8 +26,13 @@ impl Given {
             let unit = unit_of(rig, layout, &direction);
             let value = model_dsl::parse_value(value, &unit).map_err(|e| Failure::new("C0102", format!("--at {text}: {e}")))?;
             let same_mix = |a: &str, b: &str| rig.mixes.iter().any(|m| m.names.iter().any(|n| n == a) && m.names.iter().any(|n| n == b));
-            if let Some((before, _)) = entries.iter().find(|(d, _)| d.name == name || (d.overlaps(&direction) && !same_mix(&d.name, name))) {
-                let message = if before.name == name { format!("`{name}` is given twice") } else { format!("`{name}` and `{}` set the same input", before.name) };
+            if let Some((before, _)) = entries.iter().find(|(d, _)| d.name == name || (d.overlaps(&direction) && !same_mix(&d.name, name)))
+            {
+                let message = if before.name == name {
+                    format!("`{name}` is given twice")
+                } else {
+                    format!("`{name}` and `{}` set the same input", before.name)
+                };
                 return Err(Failure::new("C0105", message).with_help("leave one of them out"));
             }
             entries.push((direction, value));

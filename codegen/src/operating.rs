@@ -57,7 +57,8 @@ impl Direction {
     /// Whether both move the same quantity.
     #[must_use]
     pub fn overlaps(&self, other: &Self) -> bool {
-        self.states.iter().any(|(i, _)| other.states.iter().any(|(j, _)| i == j)) || self.signals.iter().any(|(i, _)| other.signals.iter().any(|(j, _)| i == j))
+        self.states.iter().any(|(i, _)| other.states.iter().any(|(j, _)| i == j))
+            || self.signals.iter().any(|(i, _)| other.signals.iter().any(|(j, _)| i == j))
     }
 }
 
@@ -110,7 +111,8 @@ fn direction(rig: &Rig, layout: &Layout, symbol: Symbol) -> Option<Direction> {
 /// Inputs that move mixed input `row` alone: a column of the inverse of the mix.
 fn mixed(mix: &Mix, row: usize) -> Option<Direction> {
     let n = mix.rows.len();
-    let mut m: Vec<Vec<f64>> = mix.rows.iter().enumerate().map(|(i, r)| r.iter().copied().chain([f64::from(u8::from(i == row))]).collect()).collect();
+    let mut m: Vec<Vec<f64>> =
+        mix.rows.iter().enumerate().map(|(i, r)| r.iter().copied().chain([f64::from(u8::from(i == row))]).collect()).collect();
     for i in 0..n {
         let pivot = (i..n).max_by(|&a, &b| m[a][i].abs().total_cmp(&m[b][i].abs()))?;
         m.swap(i, pivot);

@@ -130,7 +130,11 @@ fn starts(
 }
 
 /// From the best start to the minimum; where scales are estimated, in turn with them.
-fn search(problem: &mut OutputError<'_>, starts: &mut [(String, Vec<Vec<f64>>)], options: &FitOptions) -> Result<(Minimum, String), FitError> {
+fn search(
+    problem: &mut OutputError<'_>,
+    starts: &mut [(String, Vec<Vec<f64>>)],
+    options: &FitOptions,
+) -> Result<(Minimum, String), FitError> {
     let mut best: Option<(f64, usize, Vec<f64>)> = None;
     for (k, (_, p)) in starts.iter().enumerate() {
         let theta = build::start(problem, p);

@@ -47,8 +47,8 @@ fn switching(t: f64) -> f64 {
 fn names_and_units() {
     let why = |text: &str| bind(&record(text), &Pendulum, Hold::Zero).unwrap_err().to_string();
     assert_eq!(
-        why("t,theta,v\n0,1,2\n1,1,2\n"),
-        "run.csv: the rig's input `u` is not in the record (columns: `theta` and `v`); is it the column `v`?\n\
+        why("t,theta,U\n0,1,2\n1,1,2\n"),
+        "run.csv: the rig's input `u` is not in the record (columns: `theta` and `U`); is it the column `U`?\n\
          if it was not logged, declare it in a description file: `[inputs.u]` with `constant = 0` or `steps = [[0, 1.7], [25, 1.3]]`"
     );
     assert_eq!(

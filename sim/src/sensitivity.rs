@@ -188,13 +188,7 @@ impl<'a> Forward<'a> {
     /// # Errors
     /// [`SimError`] where arguments are wrong. A run that ends early is no error, see [`Status`]; what was read up to then
     /// has been given.
-    pub fn run(
-        &mut self,
-        p: &[f64],
-        x0: &[f64],
-        s0: &[f64],
-        sink: &mut dyn FnMut(usize, usize, f64, &[f64]),
-    ) -> Result<Status, SimError> {
+    pub fn run(&mut self, p: &[f64], x0: &[f64], s0: &[f64], sink: &mut dyn FnMut(usize, usize, f64, &[f64])) -> Result<Status, SimError> {
         check(self.model, p, x0, self.signals)?;
         let n = self.model.dimensions().states();
         if s0.len() != n * self.columns {

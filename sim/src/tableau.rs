@@ -31,12 +31,8 @@ impl FixedMethod {
     }
 }
 
-static CLASSICAL: Tableau = Tableau {
-    c: &[0.5, 0.5, 1.0],
-    a: &[&[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
-    b: &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
-    d: &[],
-};
+static CLASSICAL: Tableau =
+    Tableau { c: &[0.5, 0.5, 1.0], a: &[&[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]], b: &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0], d: &[] };
 
 static DORMAND_PRINCE: Tableau = Tableau {
     c: &[0.2, 0.3, 0.8, 8.0 / 9.0, 1.0],

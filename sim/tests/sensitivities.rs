@@ -74,7 +74,11 @@ fn derivatives_are_those_of_the_computed_outputs() {
         for column in 0..5 {
             let moved = |by: f64| {
                 let (mut p, mut x0) = (P, X0);
-                if column < 3 { p[column] += by } else { x0[column - 3] += by }
+                if column < 3 {
+                    p[column] += by
+                } else {
+                    x0[column - 3] += by
+                }
                 fixed(&Hand(Pendulum), &p, &x0, &[], pattern).y
             };
             for (k, (above, below)) in moved(h).iter().zip(moved(-h)).enumerate() {

@@ -10,8 +10,8 @@ pub mod named;
 pub mod odd_rigs;
 pub mod random;
 pub mod random_rig;
-pub mod trims;
 pub mod states;
+pub mod trims;
 
 use std::path::PathBuf;
 

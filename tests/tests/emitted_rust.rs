@@ -33,7 +33,11 @@ fn all(model: &dyn Model, point: &Point) -> Vec<Vec<f64>> {
 fn program(name: &str, points: &[Point]) -> String {
     let mut out = String::from("mod model;\nuse runtime::Model;\n\nfn main() {\n    let mut point = Vec::new();\n");
     for point in points {
-        let _ = writeln!(out, "    point.push(({:?}, vec!{:?} as Vec<f64>, vec!{:?} as Vec<f64>, vec!{:?} as Vec<f64>));", point.t, point.x, point.u, point.p);
+        let _ = writeln!(
+            out,
+            "    point.push(({:?}, vec!{:?} as Vec<f64>, vec!{:?} as Vec<f64>, vec!{:?} as Vec<f64>));",
+            point.t, point.x, point.u, point.p
+        );
     }
     let _ = write!(
         out,
@@ -61,7 +65,12 @@ fn program(name: &str, points: &[Point]) -> String {
 
 fn rustc(folder: &Path, arguments: &[&str]) {
     let program = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let output = Command::new(program).current_dir(folder).args(["--edition", "2024"]).args(arguments).output().unwrap_or_else(|e| panic!("rustc: {e}"));
+    let output = Command::new(program)
+        .current_dir(folder)
+        .args(["--edition", "2024"])
+        .args(arguments)
+        .output()
+        .unwrap_or_else(|e| panic!("rustc: {e}"));
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 

@@ -26,7 +26,12 @@ fn every_example_rig_derives() {
 fn every_example_rig_is_tidy() {
     for path in example_rigs() {
         let checked = model_dsl::check(&path.display().to_string(), &model_dsl::FileLoader, &model_dsl::CheckOptions::default());
-        let shown: Vec<String> = checked.diagnostics.iter().filter(|d| d.severity != model_dsl::Severity::Note).map(|d| d.render(&checked.sources, false)).collect();
+        let shown: Vec<String> = checked
+            .diagnostics
+            .iter()
+            .filter(|d| d.severity != model_dsl::Severity::Note)
+            .map(|d| d.render(&checked.sources, false))
+            .collect();
         assert!(shown.is_empty(), "{}:\n{}", path.display(), shown.join("\n"));
         let rig = checked.rig.unwrap_or_else(|| panic!("{}", path.display()));
         assert!(rig.doc.lines().count() >= 3, "{}: a title and some lines about it", path.display());

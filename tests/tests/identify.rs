@@ -7,7 +7,7 @@ use ident::record::{Column, Record, Start, read_with};
 use jit::InProcess;
 use model_dsl::rig::Rig;
 use runtime::{Model, Names};
-use sim::{Forward, Hold, FixedMethod, Pattern, Signal, Signals, simulate};
+use sim::{FixedMethod, Forward, Hold, Pattern, Signal, Signals, simulate};
 use std::path::PathBuf;
 
 fn folder_for(name: &str) -> Option<PathBuf> {
@@ -49,7 +49,11 @@ fn show(title: &str, fit: &Fit) {
         println!("  {:10} {:12.5}  prior {:.4?}", s.state, s.value, s.prior);
     }
     for r in fit.train.iter().chain(&fit.test) {
-        println!("  {}: {}", r.record, r.signals.iter().map(|s| format!("{} {:.2?} %", s.signal, s.fit_percent)).collect::<Vec<_>>().join(", "));
+        println!(
+            "  {}: {}",
+            r.record,
+            r.signals.iter().map(|s| format!("{} {:.2?} %", s.signal, s.fit_percent)).collect::<Vec<_>>().join(", ")
+        );
     }
     let i = &fit.identifiable;
     println!("  rank {} of {}, dead {:?}, trade-offs {:?}; {}", i.rank, i.of, i.dead, i.trade_offs, fit.intervals);
@@ -106,7 +110,11 @@ fn sensitivities_are_the_derivatives_of_the_trajectory() {
         for column in 0..columns {
             let shifted = |h: f64| {
                 let (mut p, mut x0) = (p.clone(), x0);
-                if column < d.parameters { p[column] += h } else { x0[column - d.parameters] += h }
+                if column < d.parameters {
+                    p[column] += h
+                } else {
+                    x0[column - d.parameters] += h
+                }
                 exact(&p, &x0)
             };
             let h = 1e-5;
@@ -120,7 +128,12 @@ fn sensitivities_are_the_derivatives_of_the_trajectory() {
                 for i in 0..2 {
                     let difference = (above.outputs(k)[i] - below.outputs(k)[i]) / (2.0 * h);
                     let error = (dy[k][i][column] - difference).abs() / (1.0 + difference.abs());
-                    assert!(error < 2e-4, "{hold:?} {method:?} column {column} output {i} at {}: {} or {difference}", t[k], dy[k][i][column]);
+                    assert!(
+                        error < 2e-4,
+                        "{hold:?} {method:?} column {column} output {i} at {}: {} or {difference}",
+                        t[k],
+                        dy[k][i][column]
+                    );
                     worst_slope = worst_slope.max(error);
                 }
             }
@@ -172,8 +185,7 @@ fn the_cost_that_scipy_and_casadi_find() {
 fn simulated(model: &InProcess, p: &[f64], x0: &[f64], inputs: Vec<Vec<f64>>, period: f64, random: &mut Random, quantum: f64) -> Record {
     let count = inputs[0].len();
     let t: Vec<f64> = (0..count).map(|k| period * k as f64).collect();
-    let signals =
-        Signals::new(inputs.iter().map(|u| Signal { t: t.clone(), values: u.clone(), hold: Hold::Zero }).collect()).unwrap();
+    let signals = Signals::new(inputs.iter().map(|u| Signal { t: t.clone(), values: u.clone(), hold: Hold::Zero }).collect()).unwrap();
     let run = simulate(model, p, x0, &signals, &t, &sim::Options::default()).unwrap();
     let d = model.dimensions();
     let mut columns: Vec<Column> =

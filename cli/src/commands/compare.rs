@@ -44,7 +44,13 @@ pub fn run(args: &Compare) -> Result<Answer, Failure> {
         runs.push((file.clone(), loaded.rig.name.clone(), result, states));
     }
     let rate = if record.period() > 0.0 { 1.0 / record.period() } else { 0.0 };
-    let head = format!("{}: {} samples, {} s at {} Hz; free run from the record's start\n", args.data.display(), record.t.len(), number(record.duration()), number(rate));
+    let head = format!(
+        "{}: {} samples, {} s at {} Hz; free run from the record's start\n",
+        args.data.display(),
+        record.t.len(),
+        number(record.duration()),
+        number(rate)
+    );
     let json = json!({
         "record": args.data.display().to_string(),
         "rigs": runs.iter().map(|(file, name, run, states)| document(file, name, run, states)).collect::<Vec<_>>(),

@@ -25,7 +25,9 @@ pub fn run(args: &Demo) -> Result<Answer, Failure> {
         &["linearize", &rig, "--trim", "hover", "--inputs", "f_s,f_d"],
         &["compare", &rig, "--set", "c_eps=0.10", "--data", &record],
     ];
-    let mut text = format!("wrote {rig} (eq. 16 of the seed paper) and {record} (simulated by us, not measured; its truth has an effect that the rig lacks)\n");
+    let mut text = format!(
+        "wrote {rig} (eq. 16 of the seed paper) and {record} (simulated by us, not measured; its truth has an effect that the rig lacks)\n"
+    );
     let mut documents = Vec::new();
     for step in steps {
         let line = format!("rig {}", step.join(" "));

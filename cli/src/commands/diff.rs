@@ -16,7 +16,9 @@ pub fn run(args: &Diff) -> Result<Answer, Failure> {
     };
     let (first, second) = (side(&args.first)?, side(&args.second)?);
     let diff = codegen::display::diff((&first.0, &first.1), (&second.0, &second.1));
-    let list = |terms: &[codegen::display::DiffTerm]| terms.iter().map(|t| json!({"quantity": t.quantity, "term": t.term, "size": t.size})).collect::<Vec<_>>();
+    let list = |terms: &[codegen::display::DiffTerm]| {
+        terms.iter().map(|t| json!({"quantity": t.quantity, "term": t.term, "size": t.size})).collect::<Vec<_>>()
+    };
     let json = json!({"added": list(&diff.added), "removed": list(&diff.removed), "changed": list(&diff.changed)});
     Ok(Answer { text: diff.to_string(), json })
 }

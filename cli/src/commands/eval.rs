@@ -65,7 +65,13 @@ pub fn run(args: &Eval) -> Result<Answer, Failure> {
         "potential": scalar(equations.potential),
     });
     let mut text = format!("{}\n", loaded.rig.name);
-    let rows = [("bias", &equations.bias), ("gravity", &equations.gravity), ("dissipation", &equations.dissipation), ("force", &equations.force), ("acceleration", &equations.acceleration)];
+    let rows = [
+        ("bias", &equations.bias),
+        ("gravity", &equations.gravity),
+        ("dissipation", &equations.dissipation),
+        ("force", &equations.force),
+        ("acceleration", &equations.acceleration),
+    ];
     let _ = write!(text, "{:14}", "");
     for c in &layout.q {
         let _ = write!(text, "{:>14}", c.name);

@@ -39,5 +39,9 @@ pub fn run(args: &Generate) -> Result<Answer, Failure> {
 }
 
 fn stale(path: &str, what: &str, args: &Generate) -> Failure {
-    Failure::new("C0403", format!("{path} {what}")).with_help(&format!("rig generate {} --out {}", args.rig.file.display(), args.out.display()))
+    Failure::new("C0403", format!("{path} {what}")).with_help(&format!(
+        "rig generate {} --out {}",
+        args.rig.file.display(),
+        args.out.display()
+    ))
 }

@@ -45,7 +45,13 @@ pub fn run(args: &Lqr) -> Result<Answer, Failure> {
         let _ = writeln!(text, "poles of the whole model with this gain{kind}: {}", poles_in_words(&found.plant_poles));
     }
     for c in &found.neglected {
-        let _ = writeln!(text, "neglected: {}' depends on {} by {}, which the design leaves out", prime(&c.onto), prime(&c.from), number(c.value));
+        let _ = writeln!(
+            text,
+            "neglected: {}' depends on {} by {}, which the design leaves out",
+            prime(&c.onto),
+            prime(&c.from),
+            number(c.value)
+        );
     }
     let _ = writeln!(text, "Riccati residual {:.0e} (relative)", found.residual);
     let matrix = |m: &DMatrix<f64>| m.row_iter().map(|r| r.iter().copied().collect::<Vec<f64>>()).collect::<Vec<_>>();
@@ -72,9 +78,13 @@ pub fn run(args: &Lqr) -> Result<Answer, Failure> {
 fn failure(error: &LqrError) -> Failure {
     let failure = Failure::new("C0306", error.to_string());
     match error {
-        LqrError::Riccati { .. } => failure.with_help("leave states out that no input reaches (--states), weigh what has to be seen, or add an input"),
+        LqrError::Riccati { .. } => {
+            failure.with_help("leave states out that no input reaches (--states), weigh what has to be seen, or add an input")
+        }
         LqrError::Name(_) => failure.with_help("names are those of `rig linearize`: `eps`, `eps.dot`, `f_s`"),
-        LqrError::Weight(_) => failure.with_help("--weights-x takes one number for each state (then each integral), --weights-u one for each input"),
+        LqrError::Weight(_) => {
+            failure.with_help("--weights-x takes one number for each state (then each integral), --weights-u one for each input")
+        }
         LqrError::Empty => failure.with_help("declare an input, or name some with --inputs"),
         LqrError::Sampling(_) => failure.with_help("--discrete takes the sampling period in seconds"),
         LqrError::NoConvergence(_) => failure,

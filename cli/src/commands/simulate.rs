@@ -17,18 +17,23 @@ pub fn run(args: &Simulate) -> Result<Answer, Failure> {
     let layout = &model.equations().layout;
     let given = Given::read(&loaded.rig, layout, &args.at)?;
     if let Some((direction, _)) = given.entries.iter().find(|(d, _)| d.states.is_empty()) {
-        return Err(Failure::new("C0107", format!("`{}` is an input: its values come from the record", direction.name)).with_help("--at takes initial coordinates, rates and actuator states"));
+        return Err(Failure::new("C0107", format!("`{}` is an input: its values come from the record", direction.name))
+            .with_help("--at takes initial coordinates, rates and actuator states"));
     }
     let (x0, _) = given.vectors(layout);
     let record = record::read(&args.input).map_err(|e| Failure::new("C0501", e.to_string()))?;
     let signals = record::bind_signals(&record, &model, args.hold.into()).map_err(|e| Failure::new("C0502", e.to_string()))?;
     let options = sim::Options { encoders: args.encoders, ..sim::Options::default() };
-    let run = sim::simulate(&model, &layout.nominal, &x0, &signals, &record.t, &options).map_err(|e| Failure::new("C0503", e.to_string()))?;
+    let run =
+        sim::simulate(&model, &layout.nominal, &x0, &signals, &record.t, &options).map_err(|e| Failure::new("C0503", e.to_string()))?;
 
     // a record of its own: inputs and outputs by the rig's names, then the states that no output shows by name
-    let states: Vec<(usize, &str)> = layout.x().map(|v| v.name.as_str()).enumerate().filter(|(_, s)| !layout.outputs.iter().any(|o| o.name == *s)).collect();
+    let states: Vec<(usize, &str)> =
+        layout.x().map(|v| v.name.as_str()).enumerate().filter(|(_, s)| !layout.outputs.iter().any(|o| o.name == *s)).collect();
     let mut csv = String::from("t");
-    for name in layout.u.iter().map(|v| v.name.as_str()).chain(layout.outputs.iter().map(|o| o.name.as_str())).chain(states.iter().map(|(_, s)| *s)) {
+    for name in
+        layout.u.iter().map(|v| v.name.as_str()).chain(layout.outputs.iter().map(|o| o.name.as_str())).chain(states.iter().map(|(_, s)| *s))
+    {
         let _ = write!(csv, ",{name}");
     }
     csv.push('\n');

@@ -176,15 +176,15 @@ fn residual(rig: &Rig, lowering: &Lowering, g: &mut Graph, parts: &Parts, accele
         None => {
             g.set_scope("balance");
             (0..parts.bias.len())
-            .map(|i| {
-                let mut value = parts.bias[i];
-                for (j, &a) in acceleration.iter().enumerate() {
-                    let part = g.mul(parts.mass_matrix[i][j], a);
-                    value = g.add(value, part);
-                }
-                g.sub(value, parts.force[i])
-            })
-            .collect()
+                .map(|i| {
+                    let mut value = parts.bias[i];
+                    for (j, &a) in acceleration.iter().enumerate() {
+                        let part = g.mul(parts.mass_matrix[i][j], a);
+                        value = g.add(value, part);
+                    }
+                    g.sub(value, parts.force[i])
+                })
+                .collect()
         }
     };
     for (value, &d) in total.iter_mut().zip(&parts.dissipation) {
@@ -224,7 +224,9 @@ fn scopes(rig: &Rig) -> Vec<(String, String)> {
     scopes.extend(rig.springs.iter().map(|s| (s.name.clone(), format!("spring {}", s.name))));
     scopes.extend(rig.dampers.iter().map(|d| (d.name.clone(), format!("damper {}", d.name))));
     scopes.extend(rig.functions.iter().map(|f| (f.name.clone(), format!("{} energy {}", format!("{:?}", f.kind).to_lowercase(), f.name))));
-    scopes.extend(rig.equations.iter().map(|q| &rig.coordinates[q.coordinate].name).map(|name| (name.clone(), format!("equation of {name}"))));
+    scopes.extend(
+        rig.equations.iter().map(|q| &rig.coordinates[q.coordinate].name).map(|name| (name.clone(), format!("equation of {name}"))),
+    );
     scopes
 }
 

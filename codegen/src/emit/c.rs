@@ -39,7 +39,8 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
     let fields = Fields::new(e);
     let prefix = &fields.prefix;
     let guard = format!("{}_H", prefix.to_uppercase());
-    let words: Vec<String> = Header::new(e, source).lines(WIDTH - 6).iter().map(|line| format!(" * {line}").trim_end().to_owned()).collect();
+    let words: Vec<String> =
+        Header::new(e, source).lines(WIDTH - 6).iter().map(|line| format!(" * {line}").trim_end().to_owned()).collect();
     let comment = format!("/*\n{}\n */\n", words.join("\n"));
     let mut header = format!("{comment}#ifndef {guard}\n#define {guard}\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n");
     structs(&mut header, e, &fields);

@@ -273,7 +273,8 @@ pub fn functions(e: &Equations) -> Vec<Function> {
             output,
         );
     }
-    let pivots: Vec<(usize, Id)> = e.pivots_as_eliminated().into_iter().filter(|(_, d)| e.graph.number_of(*d).is_none_or(|x| x <= 0.0)).collect();
+    let pivots: Vec<(usize, Id)> =
+        e.pivots_as_eliminated().into_iter().filter(|(_, d)| e.graph.number_of(*d).is_none_or(|x| x <= 0.0)).collect();
     let dynamics = arguments(e, &[State, Inputs, Parameters], &e.state_derivative());
     list.push(Function {
         name: "forward_dynamics".into(),

@@ -414,7 +414,11 @@ fn write_part(out: &mut String, e: &Equations, name: &str, plan: &Plan, part: &P
     let n = part.exports.len();
     let _ = writeln!(out, "/// Part {} of [`{name}`]: values that later parts need.", k + 1);
     // a compiler would inline a function that is called once, and undo the split
-    let _ = writeln!(out, "#[inline(never)]\nfn {name}_part_{}({}) -> [f64; {n}] {{", k + 1, typed.join(", "));
+    let head = format!("fn {name}_part_{}(", k + 1);
+    let line = format!("{head}{}) -> [f64; {n}] {{", typed.join(", "));
+    let signature =
+        if line.chars().count() <= WIDTH { line } else { format!("{head}\n    {},\n) -> [f64; {n}] {{", typed.join(",\n    ")) };
+    let _ = writeln!(out, "#[inline(never)]\n{signature}");
     write_imports(out, &part.imports, plan);
     write_statements(out, e, name, plan, &part.own);
     let exports: Vec<Form> = part.exports.iter().map(|x| Form::atom(super::form::Rank::Named, x.name(plan).to_owned())).collect();

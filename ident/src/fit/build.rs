@@ -204,7 +204,8 @@ fn cuts(data: &Data, options: &FitOptions) -> Vec<usize> {
         let mut begun = data.times[0];
         for (k, &t) in data.times.iter().enumerate() {
             // a piece has four samples at least, and none is left over that is shorter than half
-            if t - begun >= length * (1.0 - 1e-9) && k - cuts[cuts.len() - 1] >= 4 && data.times[last] - t >= 0.5 * length && last - k >= 4 {
+            if t - begun >= length * (1.0 - 1e-9) && k - cuts[cuts.len() - 1] >= 4 && data.times[last] - t >= 0.5 * length && last - k >= 4
+            {
                 cuts.push(k);
                 begun = t;
             }

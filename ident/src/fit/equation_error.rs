@@ -93,8 +93,7 @@ pub(crate) fn fit(
         }
     }
     let n = model.dimensions().coordinates;
-    let mut problem =
-        EquationError { model, specs, base, records, unknowns, columns, parameters, weights: vec![1.0; n], evaluations: 0 };
+    let mut problem = EquationError { model, specs, base, records, unknowns, columns, parameters, weights: vec![1.0; n], evaluations: 0 };
     let start: Vec<f64> = problem.unknowns.iter().map(|&(i, _)| specs[i].value).collect();
     problem.weigh(&start, true);
     let limits = Limits::default();
@@ -108,12 +107,8 @@ pub(crate) fn fit(
         return Err(FitError::EquationError { why: "the mass matrix is singular along the measured motion".to_owned() });
     };
     let (rows, error_percent) = problem.rows(&found.x);
-    let held: Vec<bool> = problem
-        .unknowns
-        .iter()
-        .zip(&found.x)
-        .map(|(&(i, _), &x)| specs[i].bounds.is_some_and(|(lo, hi)| x <= lo || x >= hi))
-        .collect();
+    let held: Vec<bool> =
+        problem.unknowns.iter().zip(&found.x).map(|(&(i, _), &x)| specs[i].bounds.is_some_and(|(lo, hi)| x <= lo || x >= hi)).collect();
     let cov = covariance::covariance(&rows, &at.normal, &held);
     let parameters = problem
         .unknowns
@@ -243,7 +238,8 @@ struct Bump {
     second: Vec<f64>,
 }
 
-/// Bumps (s (1 - s))^3 along the record, overlapping by three quarters.
+/// Bumps (s (1 - s))^4 along the record, overlapping by three quarters. (A cube would leave the trapezoidal rule an error of
+/// order dt^2, since its second derivative has a kink at the ends.)
 fn bumps(t: &[f64], window: usize) -> Vec<Bump> {
     let hop = (window / 4).max(1);
     (0..=t.len() - window)
@@ -257,9 +253,9 @@ fn bumps(t: &[f64], window: usize) -> Vec<Bump> {
                 let s = (inside[k] - inside[0]) / length;
                 let dt = 0.5 * (inside[(k + 1).min(window - 1)] - inside[k.saturating_sub(1)]) / length;
                 let r = s * (1.0 - s);
-                weights.push(64.0 * r.powi(3) * dt);
-                // d2/ds2 of (s - s^2)^3
-                second.push(64.0 * (6.0 * r * (1.0 - 2.0 * s).powi(2) - 6.0 * r * r) * dt / (length * length));
+                weights.push(256.0 * r.powi(4) * dt);
+                // d2/ds2 of (s - s^2)^4
+                second.push(256.0 * (12.0 * (r * (1.0 - 2.0 * s)).powi(2) - 8.0 * r.powi(3)) * dt / (length * length));
             }
             Bump { first, weights, second }
         })
@@ -494,9 +490,7 @@ impl Lag {
         let (lags, m) = self.slopes.shape();
         let states = at + lags;
         let inverse_dt = 1.0 / dt;
-        let matrix = DMatrix::from_fn(lags, lags, |i, j| {
-            (if i == j { inverse_dt } else { 0.0 }) - a[(at + i) * states + at + j]
-        });
+        let matrix = DMatrix::from_fn(lags, lags, |i, j| (if i == j { inverse_dt } else { 0.0 }) - a[(at + i) * states + at + j]);
         let lu = matrix.lu();
         let moved = lu.solve(&DVector::from_column_slice(dz))?;
         z.iter_mut().zip(moved.iter()).for_each(|(z, s)| *z += s);

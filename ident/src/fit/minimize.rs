@@ -218,14 +218,7 @@ fn holds(x: f64, gradient: f64, (lo, hi): (f64, f64)) -> bool {
 }
 
 /// The damped step; unknowns that would leave their bounds go to them, and the others are solved again.
-fn step(
-    at: &Evaluation,
-    scale: &[f64],
-    damping: f64,
-    x: &[f64],
-    bounds: &[(f64, f64)],
-    held: &[bool],
-) -> Option<DVector<f64>> {
+fn step(at: &Evaluation, scale: &[f64], damping: f64, x: &[f64], bounds: &[(f64, f64)], held: &[bool]) -> Option<DVector<f64>> {
     let n = x.len();
     let mut step = DVector::zeros(n);
     let mut open: Vec<usize> = (0..n).filter(|&i| !held[i]).collect();

@@ -161,8 +161,7 @@ impl OutputError<'_> {
         let model = self.model;
         let Piece { data, range: (from, to), forward, continued, .. } = &mut self.pieces[index];
         // a further piece knows nothing of what was before it
-        let delays: Vec<f64> =
-            data.outputs.iter().map(|&i| if *from > 0 { model.output_path(i, &p).delay } else { 0.0 }).collect();
+        let delays: Vec<f64> = data.outputs.iter().map(|&i| if *from > 0 { model.output_path(i, &p).delay } else { 0.0 }).collect();
         let (first, last) = (data.times[*from], *to - *from);
         let status = forward.run(&p, &x, &s, &mut |k, i, y, dy| {
             if *continued && k == last || data.times[*from + k] - delays[i] < first {

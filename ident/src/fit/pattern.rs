@@ -3,7 +3,7 @@
 use super::data::{Data, spread};
 use super::error::FitError;
 use runtime::Model;
-use sim::{Forward, FixedMethod, Pattern, Status};
+use sim::{FixedMethod, Forward, Pattern, Status};
 
 /// Stages of a step, by which patterns are compared.
 fn stages(method: FixedMethod) -> usize {
@@ -54,14 +54,7 @@ pub(crate) fn choose(model: &dyn Model, p: &[f64], x0: &[f64], data: &Data, allo
 }
 
 /// The outputs of a pattern agree with those of half its step.
-pub(crate) fn suffices(
-    model: &dyn Model,
-    p: &[f64],
-    x0: &[f64],
-    data: &Data,
-    allowed: &[f64],
-    pattern: Pattern,
-) -> Result<bool, FitError> {
+pub(crate) fn suffices(model: &dyn Model, p: &[f64], x0: &[f64], data: &Data, allowed: &[f64], pattern: Pattern) -> Result<bool, FitError> {
     let coarse = outputs(model, p, x0, data, pattern)?;
     let fine = outputs(model, p, x0, data, Pattern { step: 0.5 * pattern.step, ..pattern })?;
     Ok(agree(&coarse, &fine, allowed))

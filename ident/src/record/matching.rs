@@ -113,7 +113,10 @@ pub fn bind(record: &Record, model: &dyn Model, hold: Hold) -> Result<Bound, Mat
             Some(column) => {
                 check_unit(record, name, column.unit.as_ref(), names.output_unit(i), "output")?;
                 if let Some(k) = column.values.iter().position(|y| !y.is_finite()) {
-                    return Err(MatchError::Inconsistent { file: record.source.clone(), why: format!("value {} of `{name}` is {}", k + 1, column.values[k]) });
+                    return Err(MatchError::Inconsistent {
+                        file: record.source.clone(),
+                        why: format!("value {} of `{name}` is {}", k + 1, column.values[k]),
+                    });
                 }
                 Some(column.values.clone())
             }
