@@ -157,7 +157,7 @@ fn hand_written(figures: &Figures, rust: Option<&[rust::Generated]>) -> Result<S
     model.rhs(0.0, &x, &u, &p, &mut derived).map_err(|_| "heli3 is singular")?;
     let by_hand = hand::heli3(&x, &u, &p);
     let difference = derived.iter().zip(by_hand).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs() / a.abs()));
-    if !(difference < 1e-12) {
+    if difference.is_nan() || difference >= 1e-12 {
         return Err(format!("heli3 by hand and as derived differ by {difference:.1e}: {by_hand:?}, {derived:?}"));
     }
     let start = x[0];

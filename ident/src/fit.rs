@@ -100,14 +100,17 @@ pub fn identify(
 /// Samples of the bumps of the weak form that are tried for starting values.
 const WINDOWS: [usize; 4] = [16, 40, 100, 250];
 
-/// Starting values, each with a name and the parameters of every record.
+/// Starting values: where they come from, and the parameters of every record.
+type Starts = (String, Vec<Vec<f64>>);
+
+/// All starting values that are tried.
 fn starts(
     model: &dyn Model,
     specs: &[ParameterSpec],
     data: &[Data],
     nominal: Vec<f64>,
     options: &FitOptions,
-) -> Result<Vec<(String, Vec<Vec<f64>>)>, FitError> {
+) -> Result<Vec<Starts>, FitError> {
     let mut starts = Vec::new();
     if options.starting != Starting::EquationError {
         starts.push(("nominal".to_owned(), vec![nominal; data.len()]));

@@ -70,8 +70,8 @@ impl Program {
             assert_eq!(slice.len(), list.len(), "a result has another length in this model");
         }
         let pivots = self.tape.pivots.len();
-        let first = |scratch: &[f64]| match scratch[..pivots].iter().position(|&d| !(d > 0.0)) {
-            // not `<= 0`: a pivot that is not a number is singular too
+        let first = |scratch: &[f64]| match scratch[..pivots].iter().position(|&d| d.is_nan() || d <= 0.0) {
+            // a pivot that is not a number is singular too
             Some(k) => Err(k),
             None => Ok(()),
         };

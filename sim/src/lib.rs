@@ -18,7 +18,7 @@ mod tableau;
 pub use error::SimError;
 pub use integrate::Method;
 pub use output_path::encoder;
-pub use sensitivity::{Forward, Pattern};
+pub use sensitivity::{Forward, Pattern, Sink};
 pub use signals::{Hold, Signal, Signals};
 pub use simulate::{Options, Trajectory, simulate};
 pub use status::Status;

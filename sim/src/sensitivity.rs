@@ -22,6 +22,9 @@ pub struct Pattern {
     pub step: f64,
 }
 
+/// Where results go: sample, output, value, and the value's derivatives along the columns.
+pub type Sink<'s> = dyn FnMut(usize, usize, f64, &[f64]) + 's;
+
 /// Runs of one model over the same signals and times, with parameters and initial states that change.
 pub struct Forward<'a> {
     model: &'a dyn Model,
@@ -188,7 +191,7 @@ impl<'a> Forward<'a> {
     /// # Errors
     /// [`SimError`] where arguments are wrong. A run that ends early is no error, see [`Status`]; what was read up to then
     /// has been given.
-    pub fn run(&mut self, p: &[f64], x0: &[f64], s0: &[f64], sink: &mut dyn FnMut(usize, usize, f64, &[f64])) -> Result<Status, SimError> {
+    pub fn run(&mut self, p: &[f64], x0: &[f64], s0: &[f64], sink: &mut Sink<'_>) -> Result<Status, SimError> {
         check(self.model, p, x0, self.signals)?;
         let n = self.model.dimensions().states();
         if s0.len() != n * self.columns {
@@ -264,13 +267,7 @@ impl<'a> Forward<'a> {
         }
     }
 
-    fn travel(
-        &mut self,
-        p: &[f64],
-        segments: &[Segment],
-        reads: &[Read],
-        sink: &mut dyn FnMut(usize, usize, f64, &[f64]),
-    ) -> Result<(), Stop> {
+    fn travel(&mut self, p: &[f64], segments: &[Segment], reads: &[Read], sink: &mut Sink<'_>) -> Result<(), Stop> {
         let tableau = self.pattern.method.tableau();
         let moving_switches = self.work.input_delay_slopes.iter().any(|&s| s != 0.0);
         let start = self.times[0];
@@ -284,7 +281,7 @@ impl<'a> Forward<'a> {
         next = self.read(p, start, reads, next, sink)?;
         for (index, segment) in segments.iter().enumerate() {
             let length = segment.to - segment.from;
-            if !(length > 0.0) {
+            if length <= 0.0 {
                 continue;
             }
             if moving_switches && index > 0 {
@@ -447,14 +444,7 @@ impl<'a> Forward<'a> {
     }
 
     /// Gives all reads from `next` on that are due at time t, where `inside` is the state. Returns the first that is not.
-    fn read(
-        &mut self,
-        p: &[f64],
-        t: f64,
-        reads: &[Read],
-        mut next: usize,
-        sink: &mut dyn FnMut(usize, usize, f64, &[f64]),
-    ) -> Result<usize, Stop> {
+    fn read(&mut self, p: &[f64], t: f64, reads: &[Read], mut next: usize, sink: &mut Sink<'_>) -> Result<usize, Stop> {
         let d = self.model.dimensions();
         let (n, m, count) = (d.states(), self.columns, self.parameters.len());
         let w = &mut self.work;

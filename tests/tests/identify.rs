@@ -6,7 +6,7 @@ use ident::fit::{Fit, FitOptions, InitialStates, Known, ParameterSpec, Starting,
 use ident::record::{Column, Record, Start, read_with};
 use jit::InProcess;
 use model_dsl::rig::Rig;
-use runtime::{Model, Names};
+use runtime::Model;
 use sim::{FixedMethod, Forward, Hold, Pattern, Signal, Signals, simulate};
 use std::path::PathBuf;
 
@@ -102,9 +102,9 @@ fn sensitivities_are_the_derivatives_of_the_trajectory() {
         let exact = |p: &[f64], x0: &[f64]| simulate(&model, p, x0, &signals, &t, &options).unwrap();
         let reference = exact(&p, &x0);
         let (mut worst, mut worst_slope) = (0.0_f64, 0.0_f64);
-        for k in 0..t.len() {
-            for i in 0..2 {
-                worst = worst.max((y[k][i] - reference.outputs(k)[i]).abs());
+        for (k, y) in y.iter().enumerate() {
+            for (own, wanted) in y.iter().zip(reference.outputs(k)) {
+                worst = worst.max((own - wanted).abs());
             }
         }
         for column in 0..columns {
@@ -125,15 +125,10 @@ fn sensitivities_are_the_derivatives_of_the_trajectory() {
                 if column == 6 && near(p[6]) {
                     continue;
                 }
-                for i in 0..2 {
+                for (i, slopes) in dy[k].iter().enumerate() {
                     let difference = (above.outputs(k)[i] - below.outputs(k)[i]) / (2.0 * h);
-                    let error = (dy[k][i][column] - difference).abs() / (1.0 + difference.abs());
-                    assert!(
-                        error < 2e-4,
-                        "{hold:?} {method:?} column {column} output {i} at {}: {} or {difference}",
-                        t[k],
-                        dy[k][i][column]
-                    );
+                    let error = (slopes[column] - difference).abs() / (1.0 + difference.abs());
+                    assert!(error < 2e-4, "{hold:?} {method:?} column {column} output {i} at {}: {} or {difference}", t[k], slopes[column]);
                     worst_slope = worst_slope.max(error);
                 }
             }

@@ -112,8 +112,8 @@ pub fn assemble(rig: &Rig, lowering: &Lowering, g: &mut Graph, _assumptions: boo
     let function_energy = stored::kinetic_functions(rig, lowering, g, |_| true);
     let functions = lagrange::from_kinetic_energy(g, function_energy, lowering);
     for i in 0..n {
-        for j in 0..n {
-            m[i][j] = g.add(m[i][j], functions.mass_matrix[i][j]);
+        for (entry, &own) in m[i].iter_mut().zip(&functions.mass_matrix[i]) {
+            *entry = g.add(*entry, own);
         }
         coriolis[i] = g.add(coriolis[i], functions.coriolis[i]);
         bias[i] = g.add(bias[i], functions.coriolis[i]);

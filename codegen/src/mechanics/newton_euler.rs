@@ -40,7 +40,7 @@ pub fn angular_velocities(tree: &Tree, g: &mut Graph, speed: &[Id]) -> Vec<V3> {
     for (k, link) in tree.links.iter().enumerate() {
         g.set_scope(link.name.clone());
         let parent = link.parent.map_or_else(|| zero3(g), |p| omega[p]);
-        let carried = tree.into_link(g, k, parent);
+        let carried = tree.to_link(g, k, parent);
         let own = match &link.motion {
             Motion::Rotate { axis, drives, .. } => {
                 let rate = Tree::drive_rate(g, drives, speed);
@@ -63,7 +63,7 @@ pub fn origin_velocities(tree: &Tree, g: &mut Graph, omega: &[V3], speed: &[Id])
         g.set_scope(link.name.clone());
         let parent = link.parent.map_or_else(|| zero3(g), |p| v[p]);
         let total = match &link.motion {
-            Motion::Rotate { .. } => tree.into_link(g, k, parent),
+            Motion::Rotate { .. } => tree.to_link(g, k, parent),
             Motion::Translate { offset, drives } => {
                 let w = link.parent.map_or_else(|| zero3(g), |p| omega[p]);
                 let swing = cross3(g, w, *offset);
@@ -109,9 +109,9 @@ pub fn inertial_wrenches(
                 let bend = cross3(g, omega[k], spin);
                 let push = Tree::drive_rate(g, drives, acceleration);
                 let own = scale3(g, push, e);
-                let carried = tree.into_link(g, k, alpha_p);
+                let carried = tree.to_link(g, k, alpha_p);
                 let sum = add3(g, carried, bend);
-                (add3(g, sum, own), tree.into_link(g, k, a_p))
+                (add3(g, sum, own), tree.to_link(g, k, a_p))
             }
             Motion::Translate { offset, drives } => {
                 let swing = Swing::new(omega_p, alpha_p).times(g, *offset);
@@ -238,7 +238,7 @@ pub fn project(tree: &Tree, g: &mut Graph, wrenches: &[Wrench], whose: &str) -> 
                     let part = g.mul(drive, along);
                     tau[c] = g.add(tau[c], part);
                 }
-                link.parent.map(|_| Wrench { f: tree.into_parent(g, k, f), n: tree.into_parent(g, k, n) })
+                link.parent.map(|_| Wrench { f: tree.to_parent(g, k, f), n: tree.to_parent(g, k, n) })
             }
             Motion::Translate { offset, drives } => {
                 for &(c, drive) in drives {
@@ -295,7 +295,7 @@ pub fn mass_matrix(tree: &Tree, g: &mut Graph, inertia: &[Inertia]) -> Vec<Vec<I
             Motion::Rotate { .. } => {}
         }
         if let Some(parent) = link.parent {
-            let moved = into_parent(tree, g, k, &composite[k]);
+            let moved = to_parent(tree, g, k, &composite[k]);
             g.set_scope(tree.links[parent].name.clone());
             composite[parent] = composite[parent].plus(g, &moved);
         }
@@ -329,7 +329,7 @@ fn column_below(tree: &Tree, g: &mut Graph, link: usize, wrench: Wrench) -> Vec<
                     let value = g.mul(drive, along);
                     column.push((k == link, c, value));
                 }
-                Wrench { f: tree.into_parent(g, k, f), n: tree.into_parent(g, k, n) }
+                Wrench { f: tree.to_parent(g, k, f), n: tree.to_parent(g, k, n) }
             }
             Motion::Translate { offset, drives } => {
                 for &(c, drive) in drives {
@@ -346,10 +346,10 @@ fn column_below(tree: &Tree, g: &mut Graph, link: usize, wrench: Wrench) -> Vec<
 }
 
 /// A composite inertia, about the parent's origin in the parent's axes.
-fn into_parent(tree: &Tree, g: &mut Graph, k: usize, body: &Inertia) -> Inertia {
+fn to_parent(tree: &Tree, g: &mut Graph, k: usize, body: &Inertia) -> Inertia {
     match &tree.links[k].motion {
         Motion::Rotate { axis, sin, cos, .. } => {
-            Inertia { m: body.m, mc: tree.into_parent(g, k, body.mc), i: rotate_tensor(g, *axis, *sin, *cos, &body.i) }
+            Inertia { m: body.m, mc: tree.to_parent(g, k, body.mc), i: rotate_tensor(g, *axis, *sin, *cos, &body.i) }
         }
         Motion::Translate { offset, .. } => {
             // I' = I + (d.s 1 - (d mc^T + mc' d^T)) with mc' = mc + m d, s = mc + mc'

@@ -99,7 +99,7 @@ impl Tree {
     }
 
     /// Components in the link's axes of a vector given in its parent's axes: R_PL^T a.
-    pub fn into_link(&self, g: &mut Graph, link: usize, a: V3) -> V3 {
+    pub fn to_link(&self, g: &mut Graph, link: usize, a: V3) -> V3 {
         match &self.links[link].motion {
             Motion::Rotate { axis, sin, cos, .. } => {
                 let back = g.neg(*sin);
@@ -110,7 +110,7 @@ impl Tree {
     }
 
     /// Components in the parent's axes of a vector given in the link's axes: R_PL a.
-    pub fn into_parent(&self, g: &mut Graph, link: usize, a: V3) -> V3 {
+    pub fn to_parent(&self, g: &mut Graph, link: usize, a: V3) -> V3 {
         match &self.links[link].motion {
             Motion::Rotate { axis, sin, cos, .. } => rotate(g, *axis, *sin, *cos, a),
             Motion::Translate { .. } => a,
@@ -141,10 +141,10 @@ impl Tree {
         let (up, down) = self.split(from, to);
         let mut a = vector;
         for &link in up.iter().rev() {
-            a = self.into_parent(g, link, a);
+            a = self.to_parent(g, link, a);
         }
         for &link in &down {
-            a = self.into_link(g, link, a);
+            a = self.to_link(g, link, a);
         }
         a
     }
@@ -154,7 +154,7 @@ impl Tree {
         let (up, down) = self.split(from, to);
         let mut a = point;
         for &link in up.iter().rev() {
-            a = self.into_parent(g, link, a);
+            a = self.to_parent(g, link, a);
             if let Motion::Translate { offset, .. } = &self.links[link].motion {
                 a = add3(g, a, *offset);
             }
@@ -163,7 +163,7 @@ impl Tree {
             if let Motion::Translate { offset, .. } = &self.links[link].motion {
                 a = super::vector::sub3(g, a, *offset);
             }
-            a = self.into_link(g, link, a);
+            a = self.to_link(g, link, a);
         }
         a
     }

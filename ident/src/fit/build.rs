@@ -27,7 +27,7 @@ pub(crate) fn check(model: &dyn Model, specs: &[ParameterSpec], records: &[Recor
         if !(s.value.is_finite() && s.prior_mean.is_finite()) {
             return Err(FitError::NotFinite { what: format!("the value of `{}`", s.name) });
         }
-        if let Some(sd) = s.prior_sd.filter(|sd| !(*sd > 0.0)) {
+        if let Some(sd) = s.prior_sd.filter(|sd| sd.is_nan() || *sd <= 0.0) {
             return Err(FitError::NotPositive { what: format!("the prior's standard deviation of `{}`", s.name), value: sd });
         }
         if let Some((lo, hi)) = s.bounds.filter(|_| s.free)

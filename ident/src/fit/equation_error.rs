@@ -340,10 +340,9 @@ impl EquationError<'_> {
         let mut work = vec![0.0; d.sensitivity_work()];
         let mut x = vec![0.0; states];
         let mut lag = Lag::new(d.lags, m);
-        for k in 0..count {
+        for (k, &t) in samples.times.iter().enumerate().take(count) {
             x[..2 * n].copy_from_slice(&samples.motion[k * 2 * n..(k + 1) * 2 * n]);
             let u = &samples.signals[k * signals..(k + 1) * signals];
-            let t = samples.times[k];
             self.model.sensitivities(t, &x, u, &p, &self.parameters, &mut dx, &mut a, &mut f, &mut work).ok()?;
             if d.lags > 0 {
                 let dt = if k == 0 { f64::INFINITY } else { t - samples.times[k - 1] };
@@ -363,13 +362,11 @@ impl EquationError<'_> {
         let equations = samples.left.len() / n.max(1);
         let mut errors = vec![0.0; equations * n];
         let mut slopes = vec![0.0; equations * n * m];
-        for e in 0..equations {
-            for i in 0..n {
-                let at = e * n + i;
-                errors[at] = filtered[i * (1 + m)][e] - samples.left[at];
-                for j in 0..m {
-                    slopes[at * m + j] = filtered[i * (1 + m) + 1 + j][e];
-                }
+        for (at, error) in errors.iter_mut().enumerate() {
+            let (e, i) = (at / n, at % n);
+            *error = filtered[i * (1 + m)][e] - samples.left[at];
+            for (slope, series) in slopes[at * m..(at + 1) * m].iter_mut().zip(&filtered[i * (1 + m) + 1..]) {
+                *slope = series[e];
             }
         }
         (errors.iter().chain(&slopes).all(|e| e.is_finite())).then_some(Equations { errors, slopes })

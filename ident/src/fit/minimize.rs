@@ -142,9 +142,9 @@ impl Minimizer for LevenbergMarquardt {
         let mut damping = 1e-3;
         let mut growth = 2.0;
         let ending = loop {
-            for i in 0..n {
+            for (i, scale) in scale.iter_mut().enumerate() {
                 let floor = 1e-8 * (2.0 * at.cost).sqrt() / objective.size(i).abs().max(f64::MIN_POSITIVE);
-                scale[i] = scale[i].max(at.normal[(i, i)].max(0.0).sqrt()).max(floor).max(f64::MIN_POSITIVE);
+                *scale = scale.max(at.normal[(i, i)].max(0.0).sqrt()).max(floor).max(f64::MIN_POSITIVE);
             }
             if at.cost == 0.0 {
                 break Ending::Exact;

@@ -155,7 +155,7 @@ impl OutputError<'_> {
 
     /// Runs piece `index`; `row(sample in the piece, measured output, error, derivatives)` in SI. `None` where the run does
     /// not come to its end.
-    fn run(&mut self, theta: &[f64], index: usize, row: &mut dyn FnMut(usize, usize, f64, &[f64])) -> Option<()> {
+    fn run(&mut self, theta: &[f64], index: usize, row: &mut sim::Sink<'_>) -> Option<()> {
         let p = self.parameters(theta, self.pieces[index].record);
         let (x, s) = self.initial(theta, &p, index)?;
         let model = self.model;

@@ -24,7 +24,7 @@ pub(crate) fn whiteness(record: &str, output: &str, errors: &[f64], lags: usize)
     let mean = errors.iter().sum::<f64>() / n.max(1) as f64;
     let centred: Vec<f64> = errors.iter().map(|e| e - mean).collect();
     let power: f64 = centred.iter().map(|e| e * e).sum();
-    if lags == 0 || !(power > 0.0) {
+    if lags == 0 || power.is_nan() || power <= 0.0 {
         return None;
     }
     let autocorrelation: Vec<f64> =

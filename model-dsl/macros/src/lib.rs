@@ -108,7 +108,8 @@ fn module(checked: &Checked, text: Option<&MacroText>, file: &str) -> TokenStrea
     match emit::rust(&equations, &source).parse::<TokenStream>() {
         Ok(code) => {
             let name = syn::Ident::new(&module_name(&rig.name), Span::call_site());
-            out.extend(quote! { pub mod #name { #code } });
+            // every token of the expansion has the macro's place, which looks like a missing comma before a sign
+            out.extend(quote! { #[allow(clippy::possible_missing_comma)] pub mod #name { #code } });
         }
         Err(why) => {
             out.extend(report::error(&format!("the generated code cannot be read: {why}; this is a fault of the program"), nowhere))
