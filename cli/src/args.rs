@@ -40,6 +40,8 @@ pub enum Command {
     Simulate(Simulate),
     /// Lay free runs of rigs over a measured record.
     Compare(Compare),
+    /// Fit a rig's parameters to measured records.
+    Identify(Identify),
     /// The whole chain on a rig and a record that the program carries with it.
     Demo(Demo),
 }
@@ -308,4 +310,78 @@ pub struct Demo {
     /// Overwrite files of these names that are not ours.
     #[arg(long)]
     pub force: bool,
+}
+
+/// How the errors of outputs are made comparable.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum ErrorWeights {
+    /// By their standard deviation, estimated with the parameters.
+    Noise,
+    /// By the standard deviation of the measured signal.
+    Spread,
+}
+
+impl From<ErrorWeights> for ident::fit::Weights {
+    fn from(weights: ErrorWeights) -> Self {
+        match weights {
+            ErrorWeights::Noise => Self::Noise,
+            ErrorWeights::Spread => Self::Spread,
+        }
+    }
+}
+
+/// What is known of the rates at the start of a record.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum InitialRates {
+    /// The rig is at rest.
+    Rest,
+    /// The first 0.2 s give a prior.
+    Prior,
+    /// Nothing: they are fitted.
+    Free,
+}
+
+impl From<InitialRates> for ident::fit::Known {
+    fn from(rates: InitialRates) -> Self {
+        match rates {
+            InitialRates::Rest => Self::Fixed,
+            InitialRates::Prior => Self::Prior,
+            InitialRates::Free => Self::Free,
+        }
+    }
+}
+
+/// `rig identify`.
+#[derive(Args)]
+pub struct Identify {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Records to fit to.
+    #[arg(long, required = true, num_args = 1.., value_name = "RECORD")]
+    pub data: Vec<PathBuf>,
+    /// Records that are held out: the fitted model is judged on them too.
+    #[arg(long, num_args = 1.., value_name = "RECORD")]
+    pub test: Vec<PathBuf>,
+    /// Parameters to fit, these and no others (default: those that the rig does not mark as fixed).
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub free: Vec<String>,
+    /// Parameters to hold at their values.
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub fix: Vec<String>,
+    /// What makes the errors of different outputs comparable.
+    #[arg(long, value_enum, default_value = "noise")]
+    pub weights: ErrorWeights,
+    /// What is known of the initial rates (default: as each record says how it starts).
+    #[arg(long, value_enum)]
+    pub rates: Option<InitialRates>,
+    /// Large errors count less (Huber's loss).
+    #[arg(long)]
+    pub robust: bool,
+    /// Multiple shooting with pieces of this length [s].
+    #[arg(long, value_name = "SECONDS")]
+    pub shooting: Option<f64>,
+    /// What logged inputs do between samples.
+    #[arg(long, value_enum, default_value = "zero")]
+    pub hold: Hold,
 }

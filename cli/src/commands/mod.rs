@@ -7,6 +7,7 @@ mod diff;
 mod eval;
 mod export;
 mod generate;
+mod identify;
 mod linearize;
 mod lqr;
 mod show;
@@ -30,6 +31,7 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Export(a) => export::run(&a),
         Command::Trim(a) => trim::run(&a),
         Command::Linearize(a) => linearize::run(&a),
+        Command::Identify(a) => identify::run(&a),
         Command::Lqr(a) => lqr::run(&a),
         Command::Simulate(a) => simulate::run(&a),
         Command::Compare(a) => compare::run(&a),
