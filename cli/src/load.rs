@@ -33,14 +33,20 @@ pub fn load_path(path: &Path, name: Option<&str>, set: &[String], expand_lumps: 
     let Some(mut rig) = checked.rig.take() else {
         return Err(Failure::from_check(&checked, color));
     };
-    let shown = rendered(&checked, color);
-    if !shown.is_empty() {
-        eprintln!("{shown}");
-    }
+    say(&checked, |severity| severity != Severity::Note);
     for assignment in set {
         override_parameter(&mut rig, assignment)?;
     }
     Ok(Loaded { rig, checked, lumps: if expand_lumps { Lumps::Expanded } else { Lumps::AsParameters } })
+}
+
+/// Findings of the chosen severities, to standard error. (Notes are for `rig check` alone.)
+pub fn say(checked: &Checked, chosen: impl Fn(Severity) -> bool) {
+    let color = std::io::stderr().is_terminal();
+    let shown: Vec<String> = checked.diagnostics.iter().filter(|d| chosen(d.severity)).map(|d| d.render(&checked.sources, color)).collect();
+    if !shown.is_empty() {
+        eprintln!("{}", shown.join("\n\n"));
+    }
 }
 
 /// Splits `name=value`.

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 pub fn run(file: &File) -> Result<Answer, Failure> {
     let loaded = load::load(file)?;
+    load::say(&loaded.checked, |severity| severity == model_dsl::Severity::Note);
     let rig = &loaded.rig;
     // the derivation is part of the check: both roads must agree
     let equations = load::equations(&loaded, Options { jacobians: false, ..Options::default() })?;
