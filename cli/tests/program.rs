@@ -163,6 +163,18 @@ fn nothing_of_the_users_is_overwritten() {
     assert_eq!(std::fs::read_to_string(&csv).expect("still there"), "mine\n");
 }
 
+/// The C source includes the header beside it, whatever the rig in the file is called.
+#[test]
+fn c_files_are_named_after_the_rigs_file() {
+    let folder = folder("c");
+    let file = folder.join("mine.rig");
+    std::fs::copy(root().join(IDENTIFIED), &file).expect("a copy of the rig");
+    let (file, out) = (file.display().to_string(), folder.display().to_string());
+    assert!(rig(&["generate", &file, "--out", &out, "--lang", "c"]).status.success());
+    assert!(folder.join("mine.h").is_file());
+    assert!(std::fs::read_to_string(folder.join("mine.c")).expect("the source").contains("#include \"mine.h\""));
+}
+
 /// What `rig simulate` writes is a record that `rig compare` reads: the model fits its own run.
 #[test]
 fn a_simulated_run_is_a_record() {
@@ -185,5 +197,5 @@ fn a_simulated_run_is_a_record() {
 fn the_demonstration_runs() {
     let out = folder("demo").join("rig-demo").display().to_string();
     let value = json(&["demo", "--out", &out], &["files", "steps"]);
-    assert_eq!(value["steps"].as_array().map(Vec::len), Some(5));
+    assert_eq!(value["steps"].as_array().map(Vec::len), Some(7));
 }

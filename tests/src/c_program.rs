@@ -96,7 +96,7 @@ fn program(e: &Equations, prefix: &str, points: &[Point]) -> String {
 #[must_use]
 pub fn c_agrees_with_the_graph(name: &str, e: &Equations) -> bool {
     let c = codegen::emit::c(e, &format!("{name}.rig"));
-    let prefix = c.header_name.trim_end_matches(".h").to_owned();
+    let prefix = c.prefix.clone();
     let mut random = Random::new(31);
     let points: Vec<Point> = (0..POINTS).map(|_| Point::random(e, &mut random)).collect();
     let main = program(e, &prefix, &points);

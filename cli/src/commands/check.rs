@@ -32,15 +32,19 @@ pub fn run(file: &File) -> Result<Answer, Failure> {
         "diagnostics": load::diagnostics_json(&loaded.checked),
     });
     let text = format!(
-        "{}: {} coordinates ({}), {} inputs ({}), {} parameters, {} bodies. {}\n",
+        "{}: {} ({}), {} ({}), {}, {}. {}\n",
         rig.name,
-        layout.q.len(),
+        count(layout.q.len(), "coordinate"),
         names(&layout.q).join(", "),
-        layout.inputs,
+        count(layout.inputs, "input"),
         names(&layout.u[..layout.inputs]).join(", "),
-        rig.parameters.len(),
-        rig.bodies.len(),
+        count(rig.parameters.len(), "parameter"),
+        if rig.bodies.len() == 1 { "1 body".to_owned() } else { format!("{} bodies", rig.bodies.len()) },
         crate::commands::verdict(&equations),
     );
     Ok(Answer { text, json })
+}
+
+fn count(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }

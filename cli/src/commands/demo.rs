@@ -18,12 +18,27 @@ pub fn run(args: &Demo) -> Result<Answer, Failure> {
     crate::write::write(&rig, RIG, args.force)?;
     crate::write::write(&record, RECORD, args.force)?;
     let (rig, record) = (rig.display().to_string(), record.display().to_string());
-    let steps: [&[&str]; 5] = [
+    let steps: [&[&str]; 7] = [
         &["check", &rig],
         &["show", &rig],
         &["trim", &rig, "--trim", "turn"],
         &["linearize", &rig, "--trim", "hover", "--inputs", "f_s,f_d"],
         &["compare", &rig, "--set", "c_eps=0.10", "--data", &record],
+        &["identify", &rig, "--data", &record, "--free", "a1,a2,a3,b2,b3,c_psi,c_eps,c_theta"],
+        &[
+            "lqr",
+            &rig,
+            "--trim",
+            "hover",
+            "--inputs",
+            "f_s,f_d",
+            "--states",
+            "eps,eps.dot,theta,theta.dot",
+            "--weights-x",
+            "180,10,400,1",
+            "--weights-u",
+            "1,1",
+        ],
     ];
     let mut text = format!(
         "wrote {rig} (eq. 16 of the seed paper) and {record} (simulated by us, not measured; its truth has an effect that the rig lacks)\n"

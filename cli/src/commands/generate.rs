@@ -16,7 +16,7 @@ pub fn run(args: &Generate) -> Result<Answer, Failure> {
         Language::Rust => vec![(format!("{stem}.rs"), codegen::emit::rust(&equations, &source))],
         Language::C => {
             let c = codegen::emit::c(&equations, &source);
-            vec![(format!("{stem}.h"), c.header), (format!("{stem}.c"), c.source)]
+            vec![(c.header_name, c.header), (c.source_name, c.source)]
         }
     };
     let mut written = Vec::new();

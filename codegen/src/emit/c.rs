@@ -22,6 +22,8 @@ const WIDTH: usize = 140;
 pub struct CSource {
     /// Name of the header, which the source includes: `googol_mrb.h`.
     pub header_name: String,
+    /// What the names of structs and functions begin with: `googol_mrb`.
+    pub prefix: String,
     /// Name of the source: `googol_mrb.c`.
     pub source_name: String,
     /// Text of the header.
@@ -81,7 +83,10 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
     }
     header.push_str("#ifdef __cplusplus\n}\n#endif\n\n");
     let _ = writeln!(header, "#endif /* {guard} */");
-    let header_name = format!("{prefix}.h");
+    // the header is named after the rig's file, as the files themselves are
+    let stem = source.rsplit(['/', '\\']).next().unwrap_or(source);
+    let stem = stem.strip_suffix(".rig").unwrap_or(stem);
+    let header_name = format!("{stem}.h");
     let mut text = format!("{comment}#include \"{header_name}\"\n\n#include <math.h>\n\n");
     if body.contains("NEVER_INLINE ") {
         text.push_str(
@@ -92,7 +97,7 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
     text.push_str(&helpers(&calls));
     text.push_str(body.trim_end());
     text.push('\n');
-    CSource { source_name: format!("{prefix}.c"), header_name, header, source: text }
+    CSource { source_name: format!("{stem}.c"), header_name, prefix: prefix.clone(), header, source: text }
 }
 
 /// A few expressions as one C function over named numbers: `void name(double a, double b, double y[N])`,

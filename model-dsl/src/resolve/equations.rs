@@ -91,9 +91,15 @@ impl Resolver<'_> {
             let d = Diagnostic::error("E0307", format!("`{}` has no equation", c.name), c.span, "declared here");
             self.diagnostics.push(d.help("where one equation is written directly, every coordinate needs one"));
         }
-        if let Some(body) = self.rig.bodies.first() {
-            let d = Diagnostic::error("E0307", "a rig has either bodies or equations written directly", body.span, "a body");
-            self.diagnostics.push(d.also(list[0].0.span, "an equation").help("remove the bodies, or let the program derive the equations"));
+        let bodies = self.rig.bodies.first().map(|body| (body.span, "bodies", "a body"));
+        let gravity = self.rig.gravity.as_ref().map(|gravity| (gravity.span, "gravity", "gravity"));
+        let kinetic = self.rig.functions.iter().find(|f| f.kind == EnergyKind::Kinetic);
+        let kinetic = kinetic.map(|f| (f.span, "kinetic functions", "a kinetic function"));
+        // a mass matrix comes from the left-hand sides, so nothing may add to it, and gravity has no body to pull at
+        for (span, what, label) in [bodies, gravity, kinetic].into_iter().flatten() {
+            let d = Diagnostic::error("E0307", format!("a rig has either {what} or equations written directly"), span, label);
+            self.diagnostics
+                .push(d.also(list[0].0.span, "an equation").help(format!("remove the {what}, or let the program derive the equations")));
         }
     }
 }
