@@ -223,6 +223,26 @@ void acrobot_outputs(const struct acrobot_state *x, const struct acrobot_paramet
     y->elbow = q->elbow;
 }
 
+void acrobot_pivots(const struct acrobot_state *x, const struct acrobot_parameters *p, double d[2])
+{
+    const struct acrobot_coordinates *q = &x->q;
+    const double c_elbow = cos(q->elbow);
+    /* body upper_arm on upper */
+    const double I_upper_xx = p->I_1 + p->m_1 * p->l_c1 * p->l_c1;
+    /* body lower_arm on lower */
+    const double mc_lower_z = p->m_2 * p->l_c2;
+    const double I_lower_xx = p->I_2 + p->l_c2 * mc_lower_z;
+    const double mc_lower_z_c_elbow = mc_lower_z * c_elbow;
+    /* frame lower on upper */
+    const double M_shoulder_elbow = I_lower_xx + p->l_1 * mc_lower_z_c_elbow;
+    /* frame upper on ground */
+    const double M_shoulder_shoulder = I_upper_xx + I_lower_xx + p->l_1 * (mc_lower_z_c_elbow + mc_lower_z_c_elbow + p->m_2 * p->l_1);
+    /* M = L^T D L and back-substitution */
+    const double pivot_shoulder = M_shoulder_shoulder - M_shoulder_elbow * M_shoulder_elbow / I_lower_xx;
+    d[0] = pivot_shoulder; /* shoulder */
+    d[1] = I_lower_xx; /* elbow */
+}
+
 int acrobot_forward_dynamics(
     const struct acrobot_state *x,
     const struct acrobot_inputs *u,

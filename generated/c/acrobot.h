@@ -126,6 +126,12 @@ void acrobot_inverse_dynamics(
 void acrobot_outputs(const struct acrobot_state *x, const struct acrobot_parameters *p, struct acrobot_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void acrobot_pivots(const struct acrobot_state *x, const struct acrobot_parameters *p, double d[2]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 61 operations.
  *

@@ -238,6 +238,23 @@ void aero_outputs(const struct aero_state *x, const struct aero_parameters *p, s
     y->pitch = q->pitch;
 }
 
+void aero_pivots(const struct aero_state *x, const struct aero_parameters *p, double d[2])
+{
+    const struct aero_coordinates *q = &x->q;
+    const double c_pitch = cos(q->pitch);
+    const double I_rod = p->m_rod * p->l_t * p->l_t / 12.0;
+    const double I_y = p->m_y * p->r_y * p->r_y / 2.0;
+    const double d_t_d_t_m_pa_plus_m_e = p->d_t * p->d_t * (p->m_pa + p->m_e);
+    /* frame beam on yoke */
+    const double I_beam_zz = d_t_d_t_m_pa_plus_m_e + I_rod + d_t_d_t_m_pa_plus_m_e;
+    /* body hanging on beam */
+    const double I_beam_xx = p->m_e * p->d_x * p->d_x;
+    /* frame yoke on ground */
+    const double M_yaw_yaw = I_y + I_beam_xx + c_pitch * c_pitch * (I_beam_zz - I_beam_xx);
+    d[0] = M_yaw_yaw; /* yaw */
+    d[1] = I_beam_zz + I_beam_xx; /* pitch */
+}
+
 int aero_forward_dynamics(
     const struct aero_state *x,
     const struct aero_inputs *u,

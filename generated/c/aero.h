@@ -121,6 +121,12 @@ void aero_inverse_dynamics(
 void aero_outputs(const struct aero_state *x, const struct aero_parameters *p, struct aero_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void aero_pivots(const struct aero_state *x, const struct aero_parameters *p, double d[2]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 67 operations.
  *

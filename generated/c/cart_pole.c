@@ -167,6 +167,22 @@ void cart_pole_outputs(const struct cart_pole_state *x, const struct cart_pole_p
     y->theta = q->theta;
 }
 
+void cart_pole_pivots(const struct cart_pole_state *x, const struct cart_pole_parameters *p, double d[2])
+{
+    const struct cart_pole_coordinates *q = &x->q;
+    const double c_theta = cos(q->theta);
+    const double J = p->m_p * p->l * p->l / 3.0;
+    /* body rod on pole */
+    const double mc_pole_z = p->m_p * p->l;
+    const double I_pole_xx = J + p->l * mc_pole_z;
+    /* frame pole on rail */
+    const double M_x_theta = mc_pole_z * c_theta;
+    /* M = L^T D L and back-substitution */
+    const double pivot_x = p->m_c + p->m_p - M_x_theta * M_x_theta / I_pole_xx;
+    d[0] = pivot_x; /* x */
+    d[1] = I_pole_xx; /* theta */
+}
+
 int cart_pole_forward_dynamics(
     const struct cart_pole_state *x,
     const struct cart_pole_inputs *u,

@@ -124,6 +124,12 @@ void cart_pole_inverse_dynamics(
 void cart_pole_outputs(const struct cart_pole_state *x, const struct cart_pole_parameters *p, struct cart_pole_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void cart_pole_pivots(const struct cart_pole_state *x, const struct cart_pole_parameters *p, double d[2]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 33 operations.
  *

@@ -410,6 +410,58 @@ void chain3_outputs(const struct chain3_state *x, const struct chain3_parameters
     y->q3 = q->q3;
 }
 
+void chain3_pivots(const struct chain3_state *x, const struct chain3_parameters *p, double d[3])
+{
+    const struct chain3_coordinates *q = &x->q;
+    const double s_q2 = sin(q->q2);
+    const double c_q2 = cos(q->q2);
+    const double s_q3 = sin(q->q3);
+    const double c_q3 = cos(q->q3);
+    const double l_1_per_two = p->l_1 / 2.0;
+    const double b_sq = p->b * p->b;
+    const double m_1_b_sq_plus_l_1_sq_per_12 = p->m_1 * (b_sq + p->l_1 * p->l_1) / 12.0;
+    /* body bar_1 on link_1 */
+    const double I_link_1_yy = m_1_b_sq_plus_l_1_sq_per_12 + p->m_1 * l_1_per_two * l_1_per_two;
+    const double l_2_per_two = p->l_2 / 2.0;
+    /* body bar_2 on link_2 */
+    const double mc_link_2_x = p->m_2 * l_2_per_two;
+    const double I_link_2_yy = p->m_2 * (b_sq + p->l_2 * p->l_2) / 12.0 + l_2_per_two * mc_link_2_x;
+    const double l_3_per_two = p->l_3 / 2.0;
+    /* body bar_3 on link_3: the last bar is cranked: its centre lies beside the joint's axis */
+    const double I_link_3_yy = p->m_3 * b_sq / 6.0;
+    const double mc_link_3_y = p->m_3 * l_3_per_two;
+    const double I_link_3_xx = p->m_3 * (b_sq + p->l_3 * p->l_3) / 12.0 + l_3_per_two * mc_link_3_y;
+    const double mc_link_3_y_s_q3 = mc_link_3_y * s_q3;
+    /* frame link_3 on link_2 */
+    const double M_q2_q3 = -p->l_2 * mc_link_3_y * c_q3;
+    const double l_2_mc_link_3_y_s_q3 = p->l_2 * mc_link_3_y_s_q3;
+    const double link_3_1 = l_2_mc_link_3_y_s_q3 * c_q2 + I_link_3_xx * s_q2;
+    const double M_q1_q3 = -link_3_1 - p->l_1 * mc_link_3_y_s_q3;
+    const double link_3_2 = c_q3 * (I_link_3_yy - I_link_3_xx);
+    const double link_3_2_c_q3 = link_3_2 * c_q3;
+    const double m_3_l_2 = p->m_3 * p->l_2;
+    const double l_2_m_3_l_2 = p->l_2 * m_3_l_2;
+    /* frame link_2 on link_1 */
+    const double link_2_1 = p->m_2 * b_sq / 6.0 + I_link_3_xx;
+    const double M_q2_q2 = I_link_2_yy + I_link_3_xx + link_3_2_c_q3 + l_2_m_3_l_2;
+    const double link_2_2 = c_q2 * (mc_link_2_x + m_3_l_2) + mc_link_3_y_s_q3 * s_q2;
+    const double M_q1_q2 = link_3_2 * c_q2 * s_q3 - M_q2_q3 * s_q2;
+    const double link_2_3 = I_link_2_yy + I_link_3_yy - link_3_2_c_q3 + l_2_m_3_l_2 - link_2_1;
+    const double link_2_4 = link_2_3 * c_q2 + 2.0 * l_2_mc_link_3_y_s_q3 * s_q2;
+    const double link_2_1_1 = p->l_1 * (link_2_2 + link_2_2 + p->l_1 * (p->m_2 + p->m_3));
+    /* frame link_1 on ground */
+    const double M_q1_q1 = I_link_1_yy + link_2_1 + link_2_4 * c_q2 + link_2_1_1;
+    /* M = L^T D L and back-substitution */
+    const double inv_q3 = 1.0 / I_link_3_xx;
+    const double l_q3_q2 = M_q2_q3 * inv_q3;
+    const double pivot_q2 = M_q2_q2 - M_q2_q3 * l_q3_q2;
+    const double solve_1 = M_q1_q2 - M_q1_q3 * l_q3_q2;
+    const double pivot_q1 = M_q1_q1 - solve_1 * solve_1 / pivot_q2 - M_q1_q3 * M_q1_q3 * inv_q3;
+    d[0] = pivot_q1; /* q1 */
+    d[1] = pivot_q2; /* q2 */
+    d[2] = I_link_3_xx; /* q3 */
+}
+
 int chain3_forward_dynamics(
     const struct chain3_state *x,
     const struct chain3_inputs *u,

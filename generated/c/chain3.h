@@ -127,6 +127,12 @@ void chain3_inverse_dynamics(
 void chain3_outputs(const struct chain3_state *x, const struct chain3_parameters *p, struct chain3_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void chain3_pivots(const struct chain3_state *x, const struct chain3_parameters *p, double d[3]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 215 operations.
  *

@@ -257,6 +257,27 @@ void double_pendulum_outputs(
     y->q2 = q->q2;
 }
 
+void double_pendulum_pivots(const struct double_pendulum_state *x, const struct double_pendulum_parameters *p, double d[2])
+{
+    const struct double_pendulum_coordinates *q = &x->q;
+    const double c_q2 = cos(q->q2);
+    const double m_2_r_2_c_q2 = p->m_2 * p->r_2 * c_q2;
+    const double I_2_plus_l_1_m_2_r_2_c_q2 = p->I_2 + p->l_1 * m_2_r_2_c_q2;
+    /* frame upper on ground */
+    const double upper_1 = p->I_1 + p->I_2 + p->l_1 * (m_2_r_2_c_q2 + m_2_r_2_c_q2 + p->m_2 * p->l_1);
+    const double half_I_r = 0.5 * p->I_r;
+    const double two_n = 2.0 * p->n;
+    const double two_n_2 = 2.0 * p->n;
+    /* kinetic energy rotor_2 */
+    const double M_q1_q1 = upper_1 + p->I_r + p->n * half_I_r * two_n;
+    const double M_q2_q2 = p->I_2 + p->n * half_I_r * two_n_2;
+    /* M = L^T D L and back-substitution */
+    const double u_q1_q2 = (I_2_plus_l_1_m_2_r_2_c_q2 - half_I_r * two_n_2) / M_q2_q2;
+    const double pivot_q1 = M_q1_q1 - u_q1_q2 * (I_2_plus_l_1_m_2_r_2_c_q2 - half_I_r * two_n);
+    d[0] = pivot_q1; /* q1 */
+    d[1] = M_q2_q2; /* q2 */
+}
+
 int double_pendulum_forward_dynamics(
     const struct double_pendulum_state *x,
     const struct double_pendulum_inputs *u,

@@ -143,6 +143,12 @@ void double_pendulum_outputs(
     struct double_pendulum_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void double_pendulum_pivots(const struct double_pendulum_state *x, const struct double_pendulum_parameters *p, double d[2]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 83 operations.
  *

@@ -108,6 +108,12 @@ void emps_outputs(const struct emps_state *x, const struct emps_parameters *p, s
     y->q = q->q;
 }
 
+void emps_pivots(const struct emps_state *x, const struct emps_parameters *p, double d[1])
+{
+    (void)x;
+    d[0] = p->M; /* q */
+}
+
 int emps_forward_dynamics(
     const struct emps_state *x,
     const struct emps_inputs *u,

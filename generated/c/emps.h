@@ -105,6 +105,12 @@ void emps_inverse_dynamics(
 void emps_outputs(const struct emps_state *x, const struct emps_parameters *p, struct emps_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void emps_pivots(const struct emps_state *x, const struct emps_parameters *p, double d[1]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 10 operations.
  *

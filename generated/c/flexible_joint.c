@@ -193,6 +193,17 @@ void flexible_joint_outputs(
     y->link = q->link;
 }
 
+void flexible_joint_pivots(const struct flexible_joint_state *x, const struct flexible_joint_parameters *p, double d[2])
+{
+    (void)x;
+    const double I_l = p->m * p->l * p->l / 12.0;
+    const double l_per_two = p->l / 2.0;
+    /* body rod on arm */
+    const double I_arm_xx = I_l + p->m * l_per_two * l_per_two;
+    d[0] = p->J; /* motor */
+    d[1] = I_arm_xx; /* link */
+}
+
 int flexible_joint_forward_dynamics(
     const struct flexible_joint_state *x,
     const struct flexible_joint_inputs *u,

@@ -132,6 +132,12 @@ void flexible_joint_outputs(
     struct flexible_joint_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void flexible_joint_pivots(const struct flexible_joint_state *x, const struct flexible_joint_parameters *p, double d[2]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 38 operations.
  *

@@ -219,6 +219,30 @@ void furuta_outputs(const struct furuta_state *x, const struct furuta_parameters
     y->alpha = q->alpha;
 }
 
+void furuta_pivots(const struct furuta_state *x, const struct furuta_parameters *p, double d[2])
+{
+    const struct furuta_coordinates *q = &x->q;
+    const double c_alpha = cos(q->alpha);
+    const double J_r = p->m_r * p->r * p->r / 12.0;
+    const double J_p = p->m_p * p->L_p * p->L_p / 12.0;
+    const double r_per_two = p->r / 2.0;
+    /* body arm_rod on arm */
+    const double I_arm_yy = J_r + p->m_r * r_per_two * r_per_two;
+    const double L_p_per_two = p->L_p / 2.0;
+    /* body rod on pendulum */
+    const double mc_pendulum_z = -p->m_p * L_p_per_two;
+    const double I_pendulum_xx = J_p - L_p_per_two * mc_pendulum_z;
+    /* frame pendulum on arm */
+    const double M_theta_alpha = -p->r * mc_pendulum_z * c_alpha;
+    const double pendulum_1_1 = I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p->r * p->r * p->m_p;
+    /* kinetic energy rotor */
+    const double M_theta_theta = I_arm_yy + pendulum_1_1 + p->J_m + p->J_h;
+    /* M = L^T D L and back-substitution */
+    const double pivot_theta = M_theta_theta - M_theta_alpha * M_theta_alpha / I_pendulum_xx;
+    d[0] = pivot_theta; /* theta */
+    d[1] = I_pendulum_xx; /* alpha */
+}
+
 int furuta_forward_dynamics(
     const struct furuta_state *x,
     const struct furuta_inputs *u,

@@ -116,6 +116,12 @@ void furuta_inverse_dynamics(
 void furuta_outputs(const struct furuta_state *x, const struct furuta_parameters *p, struct furuta_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void furuta_pivots(const struct furuta_state *x, const struct furuta_parameters *p, double d[2]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 69 operations.
  *

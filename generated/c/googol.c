@@ -351,6 +351,43 @@ void googol_outputs(const struct googol_state *x, const struct googol_parameters
     y->theta = q->theta;
 }
 
+void googol_pivots(const struct googol_state *x, const struct googol_parameters *p, double d[3])
+{
+    const struct googol_coordinates *q = &x->q;
+    const double s_eps = sin(q->eps);
+    const double c_eps = cos(q->eps);
+    const double s_theta = sin(q->theta);
+    const double c_theta = cos(q->theta);
+    /* frame arm on column */
+    const double I_arm_yy = p->m_b * p->l_oa * p->l_oa + p->m_c * p->l_ob * p->l_ob;
+    /* body fuselage on heli */
+    const double mc_heli_z = -p->m_h * p->l_cd;
+    const double I_heli_yy = -p->l_cd * mc_heli_z;
+    const double I_heli_xx = p->I_x + I_heli_yy;
+    /* frame heli on arm */
+    const double M_eps_theta = -p->l_oc * mc_heli_z * s_theta;
+    const double l_oc_mc_heli_z_c_theta = p->l_oc * mc_heli_z * c_theta;
+    const double M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
+    const double I_heli_yy_minus_I_z_c_theta = c_theta * (I_heli_yy - p->I_z);
+    const double heli_1 = I_heli_yy_minus_I_z_c_theta * c_theta;
+    const double l_oc_m_h_l_oc = p->m_h * p->l_oc * p->l_oc;
+    /* frame arm on column */
+    const double M_eps_eps = I_arm_yy + p->I_z + heli_1 + l_oc_m_h_l_oc;
+    const double M_psi_eps = I_heli_yy_minus_I_z_c_theta * c_eps * s_theta - M_eps_theta * s_eps;
+    const double arm_1 = c_eps * (I_arm_yy + I_heli_yy - heli_1 + l_oc_m_h_l_oc - I_heli_xx);
+    const double arm_2 = c_eps * (arm_1 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
+    /* M = L^T D L and back-substitution */
+    const double inv_theta = 1.0 / I_heli_xx;
+    const double l_theta_eps = M_eps_theta * inv_theta;
+    const double pivot_eps = M_eps_eps - M_eps_theta * l_theta_eps;
+    const double solve_1 = M_psi_eps - M_psi_theta * l_theta_eps;
+    const double solve_2 = I_heli_xx + arm_2 - solve_1 * solve_1 / pivot_eps;
+    const double pivot_psi = solve_2 - M_psi_theta * M_psi_theta * inv_theta;
+    d[0] = pivot_psi; /* psi */
+    d[1] = pivot_eps; /* eps */
+    d[2] = I_heli_xx; /* theta */
+}
+
 int googol_forward_dynamics(
     const struct googol_state *x,
     const struct googol_inputs *u,

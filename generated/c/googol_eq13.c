@@ -167,6 +167,14 @@ void googol_eq13_outputs(const struct googol_eq13_state *x, const struct googol_
     y->theta = q->theta;
 }
 
+void googol_eq13_pivots(const struct googol_eq13_state *x, const struct googol_eq13_parameters *p, double d[3])
+{
+    (void)x;
+    d[0] = p->I_psi; /* psi */
+    d[1] = p->I_eps; /* eps */
+    d[2] = p->I_theta; /* theta */
+}
+
 int googol_eq13_forward_dynamics(
     const struct googol_eq13_state *x,
     const struct googol_eq13_inputs *u,

@@ -179,6 +179,15 @@ void googol_identified_outputs(
     y->theta = q->theta;
 }
 
+void googol_identified_pivots(const struct googol_identified_state *x, const struct googol_identified_parameters *p, double d[3])
+{
+    (void)x;
+    (void)p;
+    d[0] = 1.0; /* psi */
+    d[1] = 1.0; /* eps */
+    d[2] = 1.0; /* theta */
+}
+
 int googol_identified_forward_dynamics(
     const struct googol_identified_state *x,
     const struct googol_identified_inputs *u,

@@ -141,6 +141,12 @@ void googol_identified_outputs(
     struct googol_identified_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void googol_identified_pivots(const struct googol_identified_state *x, const struct googol_identified_parameters *p, double d[3]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 33 operations.
  *

@@ -199,6 +199,14 @@ void googol_mrb_outputs(const struct googol_mrb_state *x, const struct googol_mr
     y->theta = q->theta;
 }
 
+void googol_mrb_pivots(const struct googol_mrb_state *x, const struct googol_mrb_parameters *p, double d[3])
+{
+    (void)x;
+    d[0] = p->I_psi; /* psi */
+    d[1] = p->I_eps; /* eps */
+    d[2] = p->I_theta; /* theta */
+}
+
 int googol_mrb_forward_dynamics(
     const struct googol_mrb_state *x,
     const struct googol_mrb_inputs *u,

@@ -242,6 +242,28 @@ void googol_srb_outputs(const struct googol_srb_state *x, const struct googol_sr
     y->theta = q->theta;
 }
 
+void googol_srb_pivots(const struct googol_srb_state *x, const struct googol_srb_parameters *p, double d[3])
+{
+    const struct googol_srb_coordinates *q = &x->q;
+    const double s_eps = sin(q->eps);
+    const double c_eps = cos(q->eps);
+    const double s_theta = sin(q->theta);
+    const double c_theta = cos(q->theta);
+    /* frame heli on arm */
+    const double M_psi_theta = -p->I_theta * s_eps;
+    const double I_eps_minus_I_psi_c_theta = c_theta * (p->I_eps - p->I_psi);
+    const double heli_1 = I_eps_minus_I_psi_c_theta * c_theta;
+    const double M_eps_eps = p->I_psi + heli_1;
+    /* frame arm on column */
+    const double M_psi_eps = I_eps_minus_I_psi_c_theta * c_eps * s_theta;
+    const double M_psi_psi = p->I_theta + c_eps * c_eps * (p->I_eps - heli_1 - p->I_theta);
+    /* M = L^T D L and back-substitution */
+    const double pivot_psi = M_psi_psi - M_psi_eps * M_psi_eps / M_eps_eps - M_psi_theta * M_psi_theta / p->I_theta;
+    d[0] = pivot_psi; /* psi */
+    d[1] = M_eps_eps; /* eps */
+    d[2] = p->I_theta; /* theta */
+}
+
 int googol_srb_forward_dynamics(
     const struct googol_srb_state *x,
     const struct googol_srb_inputs *u,

@@ -144,6 +144,12 @@ void googol_srb_inverse_dynamics(
 void googol_srb_outputs(const struct googol_srb_state *x, const struct googol_srb_parameters *p, struct googol_srb_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void googol_srb_pivots(const struct googol_srb_state *x, const struct googol_srb_parameters *p, double d[3]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 60 operations.
  *

@@ -398,6 +398,42 @@ void quanser_outputs(const struct quanser_state *x, const struct quanser_paramet
     y->pitch = q->pitch;
 }
 
+void quanser_pivots(const struct quanser_state *x, const struct quanser_parameters *p, double d[3])
+{
+    const struct quanser_coordinates *q = &x->q;
+    const double s_elevation = sin(q->elevation);
+    const double c_elevation = cos(q->elevation);
+    const double s_pitch = sin(q->pitch);
+    const double c_pitch = cos(q->pitch);
+    /* body counterweight on arm */
+    const double mc_arm_x = -p->m_w * p->L_w;
+    const double I_arm_yy = -p->L_w * mc_arm_x;
+    const double m_h_per_two = p->m_h / 2.0;
+    const double L_h_L_h_m_h_per_two = p->L_h * p->L_h * m_h_per_two;
+    /* frame heli on arm */
+    const double m_heli = 2.0 * m_h_per_two;
+    const double I_heli_xx = 2.0 * L_h_L_h_m_h_per_two;
+    const double M_travel_pitch = I_heli_xx * s_elevation;
+    const double heli_1 = 2.0 * L_h_L_h_m_h_per_two * c_pitch;
+    const double heli_1_c_pitch = heli_1 * c_pitch;
+    const double L_a_m_heli = p->L_a * m_heli;
+    const double L_a_L_a_m_heli = p->L_a * L_a_m_heli;
+    const double d_d_m_w_plus_m_heli = p->d * p->d * (p->m_w + m_heli);
+    /* frame arm on column */
+    const double arm_1 = I_heli_xx + d_d_m_w_plus_m_heli;
+    const double M_elevation_elevation = I_arm_yy + I_heli_xx - heli_1_c_pitch + L_a_L_a_m_heli + d_d_m_w_plus_m_heli;
+    const double M_travel_elevation = heli_1 * c_elevation * s_pitch;
+    const double arm_1_1 = c_elevation * (I_arm_yy + L_a_L_a_m_heli + heli_1_c_pitch - arm_1);
+    const double arm_1_2 = arm_1_1 + 2.0 * p->d * s_elevation * (L_a_m_heli + mc_arm_x);
+    const double M_travel_travel = arm_1 + arm_1_2 * c_elevation;
+    /* M = L^T D L and back-substitution */
+    const double solve_1 = M_travel_travel - M_travel_elevation * M_travel_elevation / M_elevation_elevation;
+    const double pivot_travel = solve_1 - M_travel_pitch * M_travel_pitch / I_heli_xx;
+    d[0] = pivot_travel; /* travel */
+    d[1] = M_elevation_elevation; /* elevation */
+    d[2] = I_heli_xx; /* pitch */
+}
+
 int quanser_forward_dynamics(
     const struct quanser_state *x,
     const struct quanser_inputs *u,

@@ -131,6 +131,12 @@ void quanser_inverse_dynamics(
 void quanser_outputs(const struct quanser_state *x, const struct quanser_parameters *p, struct quanser_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void quanser_pivots(const struct quanser_state *x, const struct quanser_parameters *p, double d[3]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 161 operations.
  *

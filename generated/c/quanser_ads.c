@@ -466,6 +466,45 @@ void quanser_ads_outputs(const struct quanser_ads_state *x, const struct quanser
     y->s = q->s;
 }
 
+void quanser_ads_pivots(const struct quanser_ads_state *x, const struct quanser_ads_parameters *p, double d[3])
+{
+    const struct quanser_ads_coordinates *q = &x->q;
+    const double s_elevation = sin(q->elevation);
+    const double c_elevation = cos(q->elevation);
+    const double s_pitch = sin(q->pitch);
+    const double c_pitch = cos(q->pitch);
+    const double s_plus_s_0 = q->s + p->s_0;
+    const double m_s_s_plus_s_0 = p->m_s * s_plus_s_0;
+    /* body counterweight on arm */
+    const double mc_arm_x = -p->m_w * p->L_w;
+    const double m_h_per_two = p->m_h / 2.0;
+    const double L_h_L_h_m_h_per_two = p->L_h * p->L_h * m_h_per_two;
+    /* frame heli on arm */
+    const double m_heli = 2.0 * m_h_per_two;
+    const double I_heli_xx = 2.0 * L_h_L_h_m_h_per_two;
+    const double M_travel_pitch = I_heli_xx * s_elevation;
+    const double heli_1 = 2.0 * L_h_L_h_m_h_per_two * c_pitch;
+    const double heli_1_c_pitch = heli_1 * c_pitch;
+    /* frame arm on column */
+    const double arm_1 = s_plus_s_0 * m_s_s_plus_s_0 - p->L_w * mc_arm_x;
+    const double d_d_m_heli_plus_m_w_plus_m_s = p->d * p->d * (m_heli + p->m_w + p->m_s);
+    const double arm_2 = I_heli_xx + d_d_m_heli_plus_m_w_plus_m_s;
+    const double L_a_m_heli = p->L_a * m_heli;
+    const double L_a_L_a_m_heli = p->L_a * L_a_m_heli;
+    const double M_elevation_elevation = arm_1 + I_heli_xx - heli_1_c_pitch + L_a_L_a_m_heli + d_d_m_heli_plus_m_w_plus_m_s;
+    const double M_travel_elevation = heli_1 * c_elevation * s_pitch;
+    const double arm_1_1 = arm_1 + L_a_L_a_m_heli + heli_1_c_pitch - arm_2;
+    const double arm_1_2 = 2.0 * p->d * s_elevation * (m_s_s_plus_s_0 + mc_arm_x + L_a_m_heli);
+    const double arm_1_3 = c_elevation * (arm_1_1 * c_elevation + arm_1_2);
+    /* M = L^T D L and back-substitution */
+    const double solve_1 = M_travel_elevation * M_travel_elevation / M_elevation_elevation;
+    const double solve_2 = arm_2 + arm_1_3 - solve_1;
+    const double pivot_travel = solve_2 - M_travel_pitch * M_travel_pitch / I_heli_xx;
+    d[0] = pivot_travel; /* travel */
+    d[1] = M_elevation_elevation; /* elevation */
+    d[2] = I_heli_xx; /* pitch */
+}
+
 int quanser_ads_forward_dynamics(
     const struct quanser_ads_state *x,
     const struct quanser_ads_inputs *u,

@@ -160,6 +160,12 @@ void quanser_ads_driven_outputs(
     struct quanser_ads_driven_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void quanser_ads_driven_pivots(const struct quanser_ads_driven_state *x, const struct quanser_ads_driven_parameters *p, double d[4]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 214 operations.
  *

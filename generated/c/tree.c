@@ -504,6 +504,64 @@ void tree_outputs(const struct tree_state *x, const struct tree_parameters *p, s
     y->elbow = q->elbow;
 }
 
+void tree_pivots(const struct tree_state *x, const struct tree_parameters *p, double d[4])
+{
+    const struct tree_coordinates *q = &x->q;
+    const double c_left = cos(q->left);
+    const double s_right = sin(q->right);
+    const double c_right = cos(q->right);
+    const double s_elbow = sin(q->elbow);
+    const double c_elbow = cos(q->elbow);
+    const double l_rho = p->l * p->rho;
+    const double l_per_two = p->l / 2.0;
+    const double l_rho_l_per_two = l_rho * l_per_two;
+    const double l_m_t = p->l * p->m_t;
+    /* frame left_arm on column */
+    const double I_left_arm_yy = p->rho * powi(p->l, 3) / 12.0 + l_per_two * l_rho_l_per_two + p->l * l_m_t;
+    const double left_arm_1 = c_left * (l_rho_l_per_two + l_m_t);
+    const double l_u_rho = p->l_u * p->rho;
+    const double l_u_per_two = p->l_u / 2.0;
+    const double l_u_rho_l_u_per_two = l_u_rho * l_u_per_two;
+    /* body right_tube on right_arm */
+    const double right_tube_1 = p->rho * powi(p->l_u, 3) / 12.0 + l_u_per_two * l_u_rho_l_u_per_two;
+    const double l_u_m_e = p->l_u * p->m_e;
+    /* frame right_arm on column */
+    const double I_right_arm_yy = right_tube_1 + p->l_u * l_u_m_e;
+    /* body fore_tube on forearm */
+    const double m_forearm = p->l_f * p->rho;
+    const double l_f_per_two = p->l_f / 2.0;
+    const double mc_forearm_x = m_forearm * l_f_per_two;
+    const double I_forearm_yy = p->rho * powi(p->l_f, 3) / 12.0 + l_f_per_two * mc_forearm_x;
+    const double mc_forearm_x_c_elbow = mc_forearm_x * c_elbow;
+    const double mc_forearm_x_s_elbow = mc_forearm_x * s_elbow;
+    /* frame forearm on right_arm */
+    const double M_right_elbow = I_forearm_yy + p->l_u * mc_forearm_x_c_elbow;
+    const double I_forearm_yy_c_elbow = I_forearm_yy * c_elbow;
+    const double I_forearm_yy_c_elbow_c_elbow = I_forearm_yy_c_elbow * c_elbow;
+    const double forearm_1 = I_forearm_yy - I_forearm_yy_c_elbow_c_elbow;
+    const double forearm_1_1 = mc_forearm_x_c_elbow + p->l_u * m_forearm;
+    const double forearm_1_2 = p->l_u * (mc_forearm_x_c_elbow + forearm_1_1);
+    /* frame right_arm on column */
+    const double right_arm_1 = c_right * (l_u_rho_l_u_per_two + l_u_m_e + forearm_1_1);
+    const double right_arm_2 = right_arm_1 - mc_forearm_x_s_elbow * s_right;
+    const double right_arm_3 = I_right_arm_yy + I_forearm_yy_c_elbow_c_elbow + forearm_1_2 - forearm_1;
+    const double right_arm_4 = 2.0 * (I_forearm_yy_c_elbow * s_elbow + p->l_u * mc_forearm_x_s_elbow);
+    const double right_arm_5 = right_arm_3 * c_right - right_arm_4 * s_right;
+    const double right_arm_1_1 = p->a * (right_arm_2 + right_arm_2 + p->a * (p->m_e + l_u_rho + m_forearm));
+    /* frame column on ground */
+    const double column_1 = p->I_c + forearm_1 + right_arm_5 * c_right + right_arm_1_1;
+    /* frame left_arm on column */
+    const double left_arm_1_1 = p->a * (left_arm_1 + left_arm_1 + p->a * (p->m_t + l_rho));
+    /* frame column on ground */
+    const double M_psi_psi = column_1 + I_left_arm_yy * c_left * c_left + left_arm_1_1;
+    /* M = L^T D L and back-substitution */
+    const double pivot_right = I_right_arm_yy + I_forearm_yy + forearm_1_2 - M_right_elbow * M_right_elbow / I_forearm_yy;
+    d[0] = M_psi_psi; /* psi */
+    d[1] = I_left_arm_yy; /* left */
+    d[2] = pivot_right; /* right */
+    d[3] = I_forearm_yy; /* elbow */
+}
+
 int tree_forward_dynamics(
     const struct tree_state *x,
     const struct tree_inputs *u,

@@ -124,6 +124,12 @@ void tree_inverse_dynamics(
 void tree_outputs(const struct tree_state *x, const struct tree_parameters *p, struct tree_outputs *y);
 
 /*
+ * Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+ * positive definite; a vanishing one says which coordinate moves no inertia.
+ */
+void tree_pivots(const struct tree_state *x, const struct tree_parameters *p, double d[4]);
+
+/*
  * Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
  * 219 operations.
  *

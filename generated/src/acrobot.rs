@@ -399,6 +399,27 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.shoulder, q.elbow])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 2] {
+    let State { q, .. } = x;
+    let c_elbow = cos(q.elbow);
+    // body upper_arm on upper
+    let I_upper_xx = p.I_1 + p.m_1 * p.l_c1 * p.l_c1;
+    // body lower_arm on lower
+    let mc_lower_z = p.m_2 * p.l_c2;
+    let I_lower_xx = p.I_2 + p.l_c2 * mc_lower_z;
+    let mc_lower_z_c_elbow = mc_lower_z * c_elbow;
+    // frame lower on upper
+    let M_shoulder_elbow = I_lower_xx + p.l_1 * mc_lower_z_c_elbow;
+    // frame upper on ground
+    let M_shoulder_shoulder = I_upper_xx + I_lower_xx + p.l_1 * (mc_lower_z_c_elbow + mc_lower_z_c_elbow + p.m_2 * p.l_1);
+    // M = L^T D L and back-substitution
+    let pivot_shoulder = M_shoulder_shoulder - M_shoulder_elbow * M_shoulder_elbow / I_lower_xx;
+    [pivot_shoulder, I_lower_xx]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 61 operations.
 ///
@@ -808,6 +829,16 @@ impl Model for Acrobot {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -450,6 +450,24 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.yaw, q.pitch])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 2] {
+    let State { q, .. } = x;
+    let c_pitch = cos(q.pitch);
+    let I_rod = p.m_rod * p.l_t * p.l_t / 12.0;
+    let I_y = p.m_y * p.r_y * p.r_y / 2.0;
+    let d_t_d_t_m_pa_plus_m_e = p.d_t * p.d_t * (p.m_pa + p.m_e);
+    // frame beam on yoke
+    let I_beam_zz = d_t_d_t_m_pa_plus_m_e + I_rod + d_t_d_t_m_pa_plus_m_e;
+    // body hanging on beam
+    let I_beam_xx = p.m_e * p.d_x * p.d_x;
+    // frame yoke on ground
+    let M_yaw_yaw = I_y + I_beam_xx + c_pitch * c_pitch * (I_beam_zz - I_beam_xx);
+    [M_yaw_yaw, I_beam_zz + I_beam_xx]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 67 operations.
 ///
@@ -869,6 +887,16 @@ impl Model for Aero {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -323,6 +323,23 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.x, q.theta])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 2] {
+    let State { q, .. } = x;
+    let c_theta = cos(q.theta);
+    let J = p.m_p * p.l * p.l / 3.0;
+    // body rod on pole
+    let mc_pole_z = p.m_p * p.l;
+    let I_pole_xx = J + p.l * mc_pole_z;
+    // frame pole on rail
+    let M_x_theta = mc_pole_z * c_theta;
+    // M = L^T D L and back-substitution
+    let pivot_x = p.m_c + p.m_p - M_x_theta * M_x_theta / I_pole_xx;
+    [pivot_x, I_pole_xx]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 33 operations.
 ///
@@ -604,6 +621,16 @@ impl Model for CartPole {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

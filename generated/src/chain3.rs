@@ -577,6 +577,55 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.q1, q.q2, q.q3])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 3] {
+    let State { q, .. } = x;
+    let (s_q2, c_q2) = sin_cos(q.q2);
+    let (s_q3, c_q3) = sin_cos(q.q3);
+    let l_1_per_two = p.l_1 / 2.0;
+    let b_sq = p.b * p.b;
+    // body bar_1 on link_1
+    let I_link_1_yy = p.m_1 * (b_sq + p.l_1 * p.l_1) / 12.0 + p.m_1 * l_1_per_two * l_1_per_two;
+    let l_2_per_two = p.l_2 / 2.0;
+    // body bar_2 on link_2
+    let mc_link_2_x = p.m_2 * l_2_per_two;
+    let I_link_2_yy = p.m_2 * (b_sq + p.l_2 * p.l_2) / 12.0 + l_2_per_two * mc_link_2_x;
+    let l_3_per_two = p.l_3 / 2.0;
+    // body bar_3 on link_3: the last bar is cranked: its centre lies beside the joint's axis
+    let I_link_3_yy = p.m_3 * b_sq / 6.0;
+    let mc_link_3_y = p.m_3 * l_3_per_two;
+    let I_link_3_xx = p.m_3 * (b_sq + p.l_3 * p.l_3) / 12.0 + l_3_per_two * mc_link_3_y;
+    let mc_link_3_y_s_q3 = mc_link_3_y * s_q3;
+    // frame link_3 on link_2
+    let M_q2_q3 = -p.l_2 * mc_link_3_y * c_q3;
+    let l_2_mc_link_3_y_s_q3 = p.l_2 * mc_link_3_y_s_q3;
+    let link_3_1 = l_2_mc_link_3_y_s_q3 * c_q2 + I_link_3_xx * s_q2;
+    let M_q1_q3 = -link_3_1 - p.l_1 * mc_link_3_y_s_q3;
+    let link_3_2 = c_q3 * (I_link_3_yy - I_link_3_xx);
+    let link_3_2_c_q3 = link_3_2 * c_q3;
+    let m_3_l_2 = p.m_3 * p.l_2;
+    let l_2_m_3_l_2 = p.l_2 * m_3_l_2;
+    // frame link_2 on link_1
+    let link_2_1 = p.m_2 * b_sq / 6.0 + I_link_3_xx;
+    let M_q2_q2 = I_link_2_yy + I_link_3_xx + link_3_2_c_q3 + l_2_m_3_l_2;
+    let link_2_2 = c_q2 * (mc_link_2_x + m_3_l_2) + mc_link_3_y_s_q3 * s_q2;
+    let M_q1_q2 = link_3_2 * c_q2 * s_q3 - M_q2_q3 * s_q2;
+    let link_2_3 = I_link_2_yy + I_link_3_yy - link_3_2_c_q3 + l_2_m_3_l_2 - link_2_1;
+    let link_2_4 = link_2_3 * c_q2 + 2.0 * l_2_mc_link_3_y_s_q3 * s_q2;
+    let link_2_1_1 = p.l_1 * (link_2_2 + link_2_2 + p.l_1 * (p.m_2 + p.m_3));
+    // frame link_1 on ground
+    let M_q1_q1 = I_link_1_yy + link_2_1 + link_2_4 * c_q2 + link_2_1_1;
+    // M = L^T D L and back-substitution
+    let inv_q3 = 1.0 / I_link_3_xx;
+    let l_q3_q2 = M_q2_q3 * inv_q3;
+    let pivot_q2 = M_q2_q2 - M_q2_q3 * l_q3_q2;
+    let solve_1 = M_q1_q2 - M_q1_q3 * l_q3_q2;
+    let pivot_q1 = M_q1_q1 - solve_1 * solve_1 / pivot_q2 - M_q1_q3 * M_q1_q3 * inv_q3;
+    [pivot_q1, pivot_q2, I_link_3_xx]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 215 operations.
 ///
@@ -1477,6 +1526,17 @@ impl Model for Chain3 {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        runtime::write(d, 2, &[pivots[2]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -434,6 +434,28 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.q1, q.q2])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 2] {
+    let State { q, .. } = x;
+    let c_q2 = cos(q.q2);
+    let m_2_r_2_c_q2 = p.m_2 * p.r_2 * c_q2;
+    let I_2_plus_l_1_m_2_r_2_c_q2 = p.I_2 + p.l_1 * m_2_r_2_c_q2;
+    // frame upper on ground
+    let upper_1 = p.I_1 + p.I_2 + p.l_1 * (m_2_r_2_c_q2 + m_2_r_2_c_q2 + p.m_2 * p.l_1);
+    let half_I_r = 0.5 * p.I_r;
+    let two_n = 2.0 * p.n;
+    let two_n_2 = 2.0 * p.n;
+    // kinetic energy rotor_2
+    let M_q1_q1 = upper_1 + p.I_r + p.n * half_I_r * two_n;
+    let M_q2_q2 = p.I_2 + p.n * half_I_r * two_n_2;
+    // M = L^T D L and back-substitution
+    let u_q1_q2 = (I_2_plus_l_1_m_2_r_2_c_q2 - half_I_r * two_n_2) / M_q2_q2;
+    let pivot_q1 = M_q1_q1 - u_q1_q2 * (I_2_plus_l_1_m_2_r_2_c_q2 - half_I_r * two_n);
+    [pivot_q1, M_q2_q2]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 83 operations.
 ///
@@ -1027,6 +1049,16 @@ impl Model for DoublePendulum {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -390,6 +390,30 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.theta, q.alpha])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 2] {
+    let State { q, .. } = x;
+    let c_alpha = cos(q.alpha);
+    let J_r = p.m_r * p.r * p.r / 12.0;
+    let J_p = p.m_p * p.L_p * p.L_p / 12.0;
+    let r_per_two = p.r / 2.0;
+    // body arm_rod on arm
+    let I_arm_yy = J_r + p.m_r * r_per_two * r_per_two;
+    let L_p_per_two = p.L_p / 2.0;
+    // body rod on pendulum
+    let mc_pendulum_z = -p.m_p * L_p_per_two;
+    let I_pendulum_xx = J_p - L_p_per_two * mc_pendulum_z;
+    // frame pendulum on arm
+    let M_theta_alpha = -p.r * mc_pendulum_z * c_alpha;
+    // frame arm on ground
+    let arm_1 = I_arm_yy + I_pendulum_xx - I_pendulum_xx * c_alpha * c_alpha + p.r * p.r * p.m_p;
+    // M = L^T D L and back-substitution
+    let pivot_theta = arm_1 + p.J_m + p.J_h - M_theta_alpha * M_theta_alpha / I_pendulum_xx;
+    [pivot_theta, I_pendulum_xx]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 69 operations.
 ///
@@ -783,6 +807,16 @@ impl Model for Furuta {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -544,6 +544,41 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 3] {
+    let State { q, .. } = x;
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    // frame arm on column
+    let I_arm_yy = p.m_b * p.l_oa * p.l_oa + p.m_c * p.l_ob * p.l_ob;
+    // body fuselage on heli
+    let mc_heli_z = -p.m_h * p.l_cd;
+    let I_heli_yy = -p.l_cd * mc_heli_z;
+    let I_heli_xx = p.I_x + I_heli_yy;
+    // frame heli on arm
+    let M_eps_theta = -p.l_oc * mc_heli_z * s_theta;
+    let l_oc_mc_heli_z_c_theta = p.l_oc * mc_heli_z * c_theta;
+    let M_psi_theta = l_oc_mc_heli_z_c_theta * c_eps - I_heli_xx * s_eps;
+    let I_heli_yy_minus_I_z_c_theta = c_theta * (I_heli_yy - p.I_z);
+    let heli_1 = I_heli_yy_minus_I_z_c_theta * c_theta;
+    let l_oc_m_h_l_oc = p.m_h * p.l_oc * p.l_oc;
+    // frame arm on column
+    let M_eps_eps = I_arm_yy + p.I_z + heli_1 + l_oc_m_h_l_oc;
+    let M_psi_eps = I_heli_yy_minus_I_z_c_theta * c_eps * s_theta - M_eps_theta * s_eps;
+    let arm_1 = c_eps * (I_arm_yy + I_heli_yy - heli_1 + l_oc_m_h_l_oc - I_heli_xx);
+    let arm_2 = c_eps * (arm_1 - 2.0 * l_oc_mc_heli_z_c_theta * s_eps);
+    // M = L^T D L and back-substitution
+    let inv_theta = 1.0 / I_heli_xx;
+    let l_theta_eps = M_eps_theta * inv_theta;
+    let pivot_eps = M_eps_eps - M_eps_theta * l_theta_eps;
+    let solve_1 = M_psi_eps - M_psi_theta * l_theta_eps;
+    let solve_2 = I_heli_xx + arm_2 - solve_1 * solve_1 / pivot_eps;
+    let pivot_psi = solve_2 - M_psi_theta * M_psi_theta * inv_theta;
+    [pivot_psi, pivot_eps, I_heli_xx]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 175 operations.
 ///
@@ -1348,6 +1383,17 @@ impl Model for Googol {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        runtime::write(d, 2, &[pivots[2]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -427,6 +427,26 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.eps, q.theta])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 3] {
+    let State { q, .. } = x;
+    let (s_eps, c_eps) = sin_cos(q.eps);
+    let (s_theta, c_theta) = sin_cos(q.theta);
+    // frame heli on arm
+    let M_psi_theta = -p.I_theta * s_eps;
+    let I_eps_minus_I_psi_c_theta = c_theta * (p.I_eps - p.I_psi);
+    let heli_1 = I_eps_minus_I_psi_c_theta * c_theta;
+    let M_eps_eps = p.I_psi + heli_1;
+    // frame arm on column
+    let M_psi_eps = I_eps_minus_I_psi_c_theta * c_eps * s_theta;
+    let M_psi_psi = p.I_theta + c_eps * c_eps * (p.I_eps - heli_1 - p.I_theta);
+    // M = L^T D L and back-substitution
+    let pivot_psi = M_psi_psi - M_psi_eps * M_psi_eps / M_eps_eps - M_psi_theta * M_psi_theta / p.I_theta;
+    [pivot_psi, M_eps_eps, p.I_theta]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 60 operations.
 ///
@@ -874,6 +894,17 @@ impl Model for GoogolSrb {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        runtime::write(d, 2, &[pivots[2]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -575,6 +575,40 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.travel, q.elevation + 0.4799655442984406, q.pitch])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 3] {
+    let State { q, .. } = x;
+    let (s_elevation, c_elevation) = sin_cos(q.elevation);
+    let (s_pitch, c_pitch) = sin_cos(q.pitch);
+    // body counterweight on arm
+    let mc_arm_x = -p.m_w * p.L_w;
+    let I_arm_yy = -p.L_w * mc_arm_x;
+    let m_h_per_two = p.m_h / 2.0;
+    let L_h_L_h_m_h_per_two = p.L_h * p.L_h * m_h_per_two;
+    // frame heli on arm
+    let m_heli = 2.0 * m_h_per_two;
+    let I_heli_xx = 2.0 * L_h_L_h_m_h_per_two;
+    let M_travel_pitch = I_heli_xx * s_elevation;
+    let heli_1 = 2.0 * L_h_L_h_m_h_per_two * c_pitch;
+    let heli_1_c_pitch = heli_1 * c_pitch;
+    let L_a_m_heli = p.L_a * m_heli;
+    let L_a_L_a_m_heli = p.L_a * L_a_m_heli;
+    let d_d_m_w_plus_m_heli = p.d * p.d * (p.m_w + m_heli);
+    // frame arm on column
+    let arm_1 = I_heli_xx + d_d_m_w_plus_m_heli;
+    let M_elevation_elevation = I_arm_yy + I_heli_xx - heli_1_c_pitch + L_a_L_a_m_heli + d_d_m_w_plus_m_heli;
+    let M_travel_elevation = heli_1 * c_elevation * s_pitch;
+    let arm_1_1 = c_elevation * (I_arm_yy + L_a_L_a_m_heli + heli_1_c_pitch - arm_1);
+    let arm_1_2 = arm_1_1 + 2.0 * p.d * s_elevation * (L_a_m_heli + mc_arm_x);
+    let M_travel_travel = arm_1 + arm_1_2 * c_elevation;
+    // M = L^T D L and back-substitution
+    let solve_1 = M_travel_travel - M_travel_elevation * M_travel_elevation / M_elevation_elevation;
+    let pivot_travel = solve_1 - M_travel_pitch * M_travel_pitch / I_heli_xx;
+    [pivot_travel, M_elevation_elevation, I_heli_xx]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 161 operations.
 ///
@@ -1376,6 +1410,17 @@ impl Model for Quanser {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        runtime::write(d, 2, &[pivots[2]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -670,6 +670,48 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.travel, q.elevation + 0.4799655442984406, q.pitch, q.s])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 4] {
+    let State { q, .. } = x;
+    let (s_elevation, c_elevation) = sin_cos(q.elevation);
+    let (s_pitch, c_pitch) = sin_cos(q.pitch);
+    let r_s = 6.283185307179586 * p.n_g / p.lead;
+    let s_plus_s_0 = q.s + p.s_0;
+    // frame rail on arm
+    let M_elevation_s = p.d * p.m_s;
+    let m_s_s_plus_s_0 = p.m_s * s_plus_s_0;
+    // body counterweight on arm
+    let mc_arm_x = -p.m_w * p.L_w;
+    let m_h_per_two = p.m_h / 2.0;
+    let L_h_L_h_m_h_per_two = p.L_h * p.L_h * m_h_per_two;
+    // frame heli on arm
+    let m_heli = 2.0 * m_h_per_two;
+    let I_heli_xx = 2.0 * L_h_L_h_m_h_per_two;
+    let M_travel_pitch = I_heli_xx * s_elevation;
+    let heli_1 = 2.0 * L_h_L_h_m_h_per_two * c_pitch;
+    let heli_1_c_pitch = heli_1 * c_pitch;
+    // frame arm on column
+    let arm_1 = s_plus_s_0 * m_s_s_plus_s_0 - p.L_w * mc_arm_x;
+    let d_d_m_heli_plus_m_w_plus_m_s = p.d * p.d * (m_heli + p.m_w + p.m_s);
+    let arm_2 = I_heli_xx + d_d_m_heli_plus_m_w_plus_m_s;
+    let L_a_m_heli = p.L_a * m_heli;
+    let L_a_L_a_m_heli = p.L_a * L_a_m_heli;
+    let M_elevation_elevation = arm_1 + I_heli_xx - heli_1_c_pitch + L_a_L_a_m_heli + d_d_m_heli_plus_m_w_plus_m_s;
+    let M_travel_elevation = heli_1 * c_elevation * s_pitch;
+    let arm_1_1 = arm_1 + L_a_L_a_m_heli + heli_1_c_pitch - arm_2;
+    let arm_1_2 = 2.0 * p.d * s_elevation * (m_s_s_plus_s_0 + mc_arm_x + L_a_m_heli);
+    let arm_1_3 = c_elevation * (arm_1_1 * c_elevation + arm_1_2);
+    // kinetic energy rotor
+    let M_s_s = p.m_s + p.J_m * r_s * r_s;
+    // M = L^T D L and back-substitution
+    let pivot_elevation = M_elevation_elevation - M_elevation_s * M_elevation_s / M_s_s;
+    let solve_1 = arm_2 + arm_1_3 - M_travel_elevation * M_travel_elevation / pivot_elevation;
+    let pivot_travel = solve_1 - M_travel_pitch * M_travel_pitch / I_heli_xx;
+    [pivot_travel, pivot_elevation, I_heli_xx, M_s_s]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 214 operations.
 ///
@@ -1753,6 +1795,18 @@ impl Model for QuanserAdsDriven {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        runtime::write(d, 2, &[pivots[2]]);
+        runtime::write(d, 3, &[pivots[3]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -663,6 +663,58 @@ pub fn outputs(x: &State, _p: &Parameters) -> Outputs {
     Outputs::from_array([q.psi, q.left, q.right, q.elbow])
 }
 
+/// Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is
+/// positive definite; a vanishing one says which coordinate moves no inertia.
+#[must_use]
+pub fn pivots(x: &State, p: &Parameters) -> [f64; 4] {
+    let State { q, .. } = x;
+    let c_left = cos(q.left);
+    let (s_right, c_right) = sin_cos(q.right);
+    let (s_elbow, c_elbow) = sin_cos(q.elbow);
+    let l_rho = p.l * p.rho;
+    let l_per_two = p.l / 2.0;
+    let l_rho_l_per_two = l_rho * l_per_two;
+    let l_m_t = p.l * p.m_t;
+    // frame left_arm on column
+    let I_left_arm_yy = p.rho * powi(p.l, 3) / 12.0 + l_per_two * l_rho_l_per_two + p.l * l_m_t;
+    let left_arm_1 = c_left * (l_rho_l_per_two + l_m_t);
+    let l_u_rho = p.l_u * p.rho;
+    let l_u_per_two = p.l_u / 2.0;
+    let l_u_rho_l_u_per_two = l_u_rho * l_u_per_two;
+    let l_u_m_e = p.l_u * p.m_e;
+    // frame right_arm on column
+    let I_right_arm_yy = p.rho * powi(p.l_u, 3) / 12.0 + l_u_per_two * l_u_rho_l_u_per_two + p.l_u * l_u_m_e;
+    // body fore_tube on forearm
+    let m_forearm = p.l_f * p.rho;
+    let l_f_per_two = p.l_f / 2.0;
+    let mc_forearm_x = m_forearm * l_f_per_two;
+    let I_forearm_yy = p.rho * powi(p.l_f, 3) / 12.0 + l_f_per_two * mc_forearm_x;
+    let mc_forearm_x_c_elbow = mc_forearm_x * c_elbow;
+    let mc_forearm_x_s_elbow = mc_forearm_x * s_elbow;
+    // frame forearm on right_arm
+    let M_right_elbow = I_forearm_yy + p.l_u * mc_forearm_x_c_elbow;
+    let I_forearm_yy_c_elbow = I_forearm_yy * c_elbow;
+    let I_forearm_yy_c_elbow_c_elbow = I_forearm_yy_c_elbow * c_elbow;
+    let forearm_1 = I_forearm_yy - I_forearm_yy_c_elbow_c_elbow;
+    let forearm_1_1 = mc_forearm_x_c_elbow + p.l_u * m_forearm;
+    let forearm_1_2 = p.l_u * (mc_forearm_x_c_elbow + forearm_1_1);
+    // frame right_arm on column
+    let right_arm_1 = c_right * (l_u_rho_l_u_per_two + l_u_m_e + forearm_1_1);
+    let right_arm_2 = right_arm_1 - mc_forearm_x_s_elbow * s_right;
+    let right_arm_3 = I_right_arm_yy + I_forearm_yy_c_elbow_c_elbow + forearm_1_2 - forearm_1;
+    let right_arm_4 = 2.0 * s_right * (I_forearm_yy_c_elbow * s_elbow + p.l_u * mc_forearm_x_s_elbow);
+    let right_arm_5 = c_right * (right_arm_3 * c_right - right_arm_4);
+    let right_arm_1_1 = p.a * (right_arm_2 + right_arm_2 + p.a * (p.m_e + l_u_rho + m_forearm));
+    // frame left_arm on column
+    let left_arm_1_1 = p.a * (left_arm_1 + left_arm_1 + p.a * (p.m_t + l_rho));
+    let left_arm_1_2 = I_left_arm_yy * c_left * c_left + left_arm_1_1;
+    // frame column on ground
+    let M_psi_psi = p.I_c + forearm_1 + right_arm_5 + right_arm_1_1 + left_arm_1_2;
+    // M = L^T D L and back-substitution
+    let pivot_right = I_right_arm_yy + I_forearm_yy + forearm_1_2 - M_right_elbow * M_right_elbow / I_forearm_yy;
+    [M_psi_psi, I_left_arm_yy, pivot_right, I_forearm_yy]
+}
+
 /// Forward dynamics: the accelerations a that solve M a + h + d = Q, by L^T D L of M.
 /// 219 operations.
 ///
@@ -1548,6 +1600,18 @@ impl Model for Tree {
         let p = Parameters::from_array(runtime::array(p));
         runtime::write_rows(dfdp, &parameter_jacobian(&x, &u, &p)?);
         Ok(())
+    }
+
+    fn pivots(&self, _t: f64, x: &[f64], p: &[f64], d: &mut [f64]) -> bool {
+        let x = State::from_array(runtime::array(x));
+        let p = Parameters::from_array(runtime::array(p));
+        d.fill(f64::INFINITY);
+        let pivots = pivots(&x, &p);
+        runtime::write(d, 0, &[pivots[0]]);
+        runtime::write(d, 1, &[pivots[1]]);
+        runtime::write(d, 2, &[pivots[2]]);
+        runtime::write(d, 3, &[pivots[3]]);
+        true
     }
 
     fn outputs(&self, _t: f64, x: &[f64], p: &[f64], y: &mut [f64]) {

@@ -18,6 +18,8 @@ pub enum Compiled {
 #[must_use]
 pub fn compile_and_run(name: &str, files: &[(&str, &str)]) -> Compiled {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../target/emitted").join(name);
+    // nothing of an earlier run may help this one
+    let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
     for (file, text) in files {
         std::fs::write(folder.join(file), text).unwrap_or_else(|e| panic!("{file}: {e}"));

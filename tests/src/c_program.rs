@@ -14,10 +14,10 @@ const POINTS: usize = 12;
 
 /// A program that prints the results of every function at every point, one number a line; a function that may
 /// find the mass matrix singular prints its status first.
-fn program(e: &Equations, prefix: &str, points: &[Point]) -> String {
+fn program(e: &Equations, prefix: &str, header: &str, points: &[Point]) -> String {
     let list = functions(e);
     let mut out = format!(
-        "#include \"{prefix}.h\"\n#include <stdio.h>\n\nstatic void put(const double *values, int n)\n{{\n    \
+        "#include \"{header}\"\n#include <stdio.h>\n\nstatic void put(const double *values, int n)\n{{\n    \
          for (int i = 0; i < n; i++) {{\n        printf(\"%.17g\\n\", values[i]);\n    }}\n}}\n\n"
     );
     for (k, point) in points.iter().enumerate() {
@@ -99,7 +99,7 @@ pub fn c_agrees_with_the_graph(name: &str, e: &Equations) -> bool {
     let prefix = c.prefix.clone();
     let mut random = Random::new(31);
     let points: Vec<Point> = (0..POINTS).map(|_| Point::random(e, &mut random)).collect();
-    let main = program(e, &prefix, &points);
+    let main = program(e, &prefix, &c.header_name, &points);
     let files = [(c.header_name.as_str(), c.header.as_str()), (c.source_name.as_str(), c.source.as_str()), ("main.c", main.as_str())];
     let Compiled::Printed(printed) = compile_and_run(&format!("c_{name}"), &files) else { return false };
     let mut lines = printed.lines();

@@ -273,6 +273,23 @@ pub fn functions(e: &Equations) -> Vec<Function> {
             output,
         );
     }
+    if !e.pivots.is_empty() {
+        simple(
+            "pivots",
+            vec![
+                "Pivots D of M = L^T D L, one a free coordinate, eliminated from the last to the first: all positive where M is".into(),
+                "positive definite; a vanishing one says which coordinate moves no inertia.".into(),
+            ],
+            &[State, Parameters],
+            Output {
+                name: "d",
+                doc: "D".into(),
+                shape: Shape::Array(e.pivots.len()),
+                roots: e.pivots.clone(),
+                rows: e.free.iter().map(|&i| l.q[i].name.clone()).collect(),
+            },
+        );
+    }
     let pivots: Vec<(usize, Id)> =
         e.pivots_as_eliminated().into_iter().filter(|(_, d)| e.graph.number_of(*d).is_none_or(|x| x <= 0.0)).collect();
     let dynamics = arguments(e, &[State, Inputs, Parameters], &e.state_derivative());

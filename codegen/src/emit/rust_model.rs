@@ -127,6 +127,19 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
     } else {
         out.push_str("\n    fn parameter_jacobian(&self, _t: f64, _x: &[f64], _u: &[f64], _p: &[f64], _dfdp: &mut [f64]) -> Result<(), Singular> {\n        Ok(())\n    }\n");
     }
+    if !e.pivots.is_empty() {
+        let _ = write!(
+            out,
+            "\n    fn pivots(&self, {}, d: &mut [f64]) -> bool {{\n{}        d.fill(f64::INFINITY);\n        let pivots = {};\n",
+            head("pivots", &measured),
+            unpack("pivots"),
+            call("pivots")
+        );
+        for (k, i) in e.free.iter().enumerate() {
+            let _ = writeln!(out, "        runtime::write(d, {i}, &[pivots[{k}]]);");
+        }
+        out.push_str("        true\n    }\n");
+    }
     if ny > 0 {
         let _ = write!(
             out,
