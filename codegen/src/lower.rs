@@ -107,8 +107,19 @@ impl Lowering {
             };
             lowering.definitions.push(id);
         }
-        lowering.lower_mixes(rig, g);
+        // an actuator's map reads commands; what is written with a mixed input acts by what actuators deliver
+        lowering.lower_mixes(rig, g, &lowering.inputs.clone());
         lowering.lower_actuators(rig, g);
+        if rig.inputs.iter().any(|input| rig.actuators.iter().any(|a| a.name == input.name)) {
+            let delivered: Vec<Id> = rig
+                .inputs
+                .iter()
+                .zip(&lowering.inputs)
+                .map(|(input, &command)| rig.actuators.iter().position(|a| a.name == input.name).map_or(command, |i| lowering.actuators[i]))
+                .collect();
+            lowering.mixes.clear();
+            lowering.lower_mixes(rig, g, &delivered);
+        }
         for (i, coordinate) in rig.coordinates.iter().enumerate() {
             if let Some(trajectory) = &coordinate.trajectory {
                 let s = lowering.expr(g, trajectory);
@@ -120,7 +131,7 @@ impl Lowering {
         lowering
     }
 
-    fn lower_mixes(&mut self, rig: &Rig, g: &mut Graph) {
+    fn lower_mixes(&mut self, rig: &Rig, g: &mut Graph, inputs: &[Id]) {
         for mix in &rig.mixes {
             let row = |g: &mut Graph, row: &Vec<f64>| {
                 let terms: Vec<Id> = row
@@ -128,8 +139,7 @@ impl Lowering {
                     .zip(&mix.inputs)
                     .map(|(&k, &input)| {
                         let k = g.num(k);
-                        // commands, not what comes out of an actuator of the same name
-                        g.mul(k, self.inputs[input])
+                        g.mul(k, inputs[input])
                     })
                     .collect();
                 g.sum(&terms)

@@ -18,12 +18,12 @@
 mod answer;
 mod build;
 mod covariance;
-mod data;
+pub(crate) mod data;
 mod equation_error;
 mod error;
 mod filter;
 mod identifiability;
-mod initial;
+pub(crate) mod initial;
 pub mod minimize;
 mod objective;
 mod options;

@@ -7,4 +7,5 @@
 
 pub mod compare;
 pub mod fit;
+pub mod innovations;
 pub mod record;

@@ -89,7 +89,7 @@ impl Signals {
 
     /// The pieces of [from, to] on which all signals are straight, after `limits` and `delay` of each signal.
     /// Equal consecutive samples make one piece; a switch lies exactly on a border.
-    pub(crate) fn segments(&self, paths: &[Path], from: f64, to: f64) -> Vec<Segment> {
+    pub fn segments(&self, paths: &[Path], from: f64, to: f64) -> Vec<Segment> {
         let lines: Vec<Vec<Knot>> = self.0.iter().zip(paths).map(|(signal, path)| knots(signal, *path)).collect();
         // a signal holds its first value before its first knot: that knot is a border only if a slope begins there
         let mut borders: Vec<f64> =
@@ -145,8 +145,10 @@ fn knots(signal: &Signal, path: Path) -> Vec<Knot> {
 
 /// Limits and delay of one signal.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Path {
+pub struct Path {
+    /// Lower and upper limit (SI).
     pub limits: (f64, f64),
+    /// Delay [s].
     pub delay: f64,
 }
 
@@ -158,10 +160,14 @@ struct Knot {
 
 /// From `from` to `to` the signals are `values + slopes * (t - from)`.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Segment {
+pub struct Segment {
+    /// Beginning [s].
     pub from: f64,
+    /// End [s].
     pub to: f64,
+    /// Signals at the beginning.
     pub values: Vec<f64>,
+    /// Their slopes [1/s].
     pub slopes: Vec<f64>,
 }
 

@@ -198,7 +198,11 @@ pub(crate) fn check(model: &dyn Model, p: &[f64], x0: &[f64], signals: &Signals)
 }
 
 /// Limits and delays of the inputs; exogenous signals have none.
-pub(crate) fn input_paths(model: &dyn Model, p: &[f64]) -> Result<Vec<Path>, SimError> {
+/// How each signal enters: limits and delay; exogenous signals have none.
+///
+/// # Errors
+/// [`SimError::Delay`] where a delay is negative or not finite.
+pub fn input_paths(model: &dyn Model, p: &[f64]) -> Result<Vec<Path>, SimError> {
     let d = model.dimensions();
     (0..d.signals())
         .map(|i| {

@@ -107,6 +107,11 @@ class Names:
                 self.lag_rates.append((out - state) / self.value(a["lag"]))
                 out = state
             self.table["actuator", a["name"]] = out
+        # what is written with a mixed input acts by what actuators deliver
+        delivered = {i["name"]: self.table.get(("actuator", i["name"]), self.table["input", i["name"]]) for i in rig["inputs"]}
+        for mix in rig["mixes"]:
+            for name, row in zip(mix["names"], mix["rows"]):
+                self.table["mix", name] = sum(k * delivered[i] for k, i in zip(row, mix["inputs"]))
 
     def value(self, expr):
         """A JSON tree as a CasADi expression."""

@@ -3,6 +3,7 @@
 mod check;
 mod compare;
 mod demo;
+mod diagnose;
 mod diff;
 mod eval;
 mod export;
@@ -26,6 +27,7 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Show(a) => show::run(&a),
         Command::Eval(a) => eval::run(&a),
         Command::Diff(a) => diff::run(&a),
+        Command::Diagnose(a) => diagnose::run(&a),
         Command::Demo(a) => demo::run(&a),
         Command::Generate(a) => generate::run(&a),
         Command::Export(a) => export::run(&a),

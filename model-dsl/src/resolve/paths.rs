@@ -72,6 +72,7 @@ impl Resolver<'_> {
         for e in entries {
             let value = &e.values[0];
             match e.key.text.as_str() {
+                "map" if s.keyword == "input" => out.map = self.expect(value, dimension, "this map", Allowed::Everything),
                 "delay" => out.delay = Some(self.expect(value, Dimension::TIME, "a delay", Allowed::Parameters)),
                 "lag" => out.lag = Some(self.expect(value, Dimension::TIME, "a lag's time constant", Allowed::Parameters)),
                 "dead_zone" => out.dead_zone = Some(self.expect(value, dimension, "this dead zone", Allowed::Parameters)),
@@ -80,7 +81,11 @@ impl Resolver<'_> {
                     let hi = self.expect(&e.values[1], dimension, "this limit", Allowed::Parameters);
                     out.saturation = Some((lo, hi));
                 }
-                _ => self.entry_error(e, "delay T, dead_zone W, saturate LO..HI, lag TAU"),
+                _ => self.entry_error(e, if s.keyword == "input" {
+                    "delay T, map EXPRESSION, dead_zone W, saturate LO..HI, lag TAU"
+                } else {
+                    "delay T, dead_zone W, saturate LO..HI, lag TAU"
+                }),
             }
         }
         out
@@ -125,7 +130,7 @@ impl Resolver<'_> {
             let v = &e.values[0];
             match e.key.text.as_str() {
                 "scale" => out.scale = Some(self.expect(v, Dimension::NONE, "a scale", Allowed::Parameters)),
-                "bias" => out.bias = Some(self.expect(v, unit.dimension, "this bias", Allowed::Parameters)),
+                "bias" => out.bias = Some(self.expect(v, unit.dimension, "this bias", Allowed::Trajectory)),
                 "delay" => out.delay = Some(self.expect(v, Dimension::TIME, "a delay", Allowed::Parameters)),
                 "encoder" => out.encoder = self.encoder(e, unit.dimension),
                 _ => self.entry_error(e, "scale S, bias B, delay T, encoder COUNTS [zero at Z] [wrapped]"),

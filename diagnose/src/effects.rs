@@ -1,0 +1,194 @@
+//! The catalogue: every effect at every place where it can act, each a patch of the rig's language.
+//!
+//! One family a file. Knows the rig, not its equations and no record but for the scales in [`Scales`] (how far and how fast each
+//! coordinate was seen to move), from which the fixed numbers of a shape are taken.
+
+mod actuator;
+mod inertial;
+mod joint;
+mod own;
+mod sensor;
+pub(crate) mod unit;
+
+pub use own::{OwnError, read_own};
+
+use model_dsl::rig::Rig;
+
+/// An effect at a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effect {
+    /// What it is: `coulomb`, `input_delay`.
+    pub id: String,
+    /// Where: a coordinate, input, output or body by its name; `f_1->eps` for a pair.
+    pub place: String,
+    /// Its parameters in the patched rig, all zero where the effect is absent.
+    pub parameters: Vec<EffectParameter>,
+    /// What is fixed in its shape, in words: `width 0.01 rad/s`.
+    pub shape: Option<String>,
+    /// The change of the text.
+    pub edit: Edit,
+    /// How innovations see it where it is absent.
+    pub signature: Signature,
+    /// It may belong to the day: a value for each record.
+    pub of_the_day: bool,
+}
+
+/// A parameter that an effect adds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EffectParameter {
+    /// Name.
+    pub name: String,
+    /// Unit, as written.
+    pub unit: String,
+    /// It cannot be negative.
+    pub positive: bool,
+    /// What it is.
+    pub doc: String,
+}
+
+/// How a patch changes the text.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// A statement more.
+    Add(String),
+    /// The map of an input, `u` times the factor (`1 + g`) where there is one, plus the addend; `{u}` stands for the command.
+    Map {
+        /// Input.
+        input: usize,
+        /// Factor.
+        factor: Option<String>,
+        /// Addend, with its sign.
+        addend: Option<String>,
+        /// Addend where the derivative at the null value is wanted, if `addend` has none there.
+        screened: Option<String>,
+    },
+    /// An entry of an input's path: `delay`, `lag`; added to what stands there.
+    Path {
+        /// Input.
+        input: usize,
+        /// Entry.
+        entry: &'static str,
+        /// Value.
+        value: String,
+    },
+    /// Something of an output: `scale`, `bias`, `delay`, or `value` (an addend of what is measured).
+    Output {
+        /// Output.
+        output: usize,
+        /// Entry.
+        entry: &'static str,
+        /// Addend.
+        value: String,
+    },
+    /// An addend of one component of a body's centre of mass.
+    Center {
+        /// Body.
+        body: usize,
+        /// x, y, z.
+        axis: usize,
+        /// Addend.
+        value: String,
+    },
+    /// Gravity along this direction.
+    Gravity(String),
+    /// An assumption is dropped.
+    Assumption(usize),
+}
+
+/// How innovations see an absent effect.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Signature {
+    /// By the derivatives with respect to its parameters.
+    Parameters,
+    /// As a delay of an input.
+    InputDelay(usize),
+    /// As a delay of an output.
+    OutputDelay(usize),
+    /// As the way to the model that has it.
+    Towards,
+}
+
+impl Effect {
+    /// `coulomb on eps`.
+    #[must_use]
+    pub fn title(&self) -> String {
+        match &self.shape {
+            Some(shape) => format!("{} on {} ({shape})", self.id, self.place),
+            None => format!("{} on {}", self.id, self.place),
+        }
+    }
+}
+
+/// How far, how fast and how strongly a rig was seen to move; all SI.
+#[derive(Clone, Debug)]
+pub struct Scales {
+    /// Lowest and highest value of each coordinate.
+    pub range: Vec<(f64, f64)>,
+    /// Root-mean-square rate of each coordinate.
+    pub rate: Vec<f64>,
+    /// Largest magnitude and spread of each input.
+    pub input: Vec<(f64, f64)>,
+    /// Longest record [s].
+    pub duration: f64,
+}
+
+/// All effects at all places of a rig.
+#[must_use]
+pub fn catalogue(rig: &Rig, scales: &Scales) -> Vec<Effect> {
+    let mut all = Vec::new();
+    let mut names = Names::new(rig);
+    joint::effects(rig, scales, &mut names, &mut all);
+    actuator::effects(rig, scales, &mut names, &mut all);
+    sensor::effects(rig, &mut names, &mut all);
+    inertial::effects(rig, &mut names, &mut all);
+    all
+}
+
+/// Names of parameters that are not taken.
+pub(crate) struct Names {
+    taken: Vec<String>,
+}
+
+impl Names {
+    pub fn new(rig: &Rig) -> Self {
+        let taken = rig
+            .parameters
+            .iter()
+            .map(|p| p.name.clone())
+            .chain(rig.definitions.iter().map(|d| d.name.clone()))
+            .chain(rig.coordinates.iter().map(|c| c.name.clone()))
+            .chain(rig.inputs.iter().map(|i| i.name.clone()))
+            .chain(rig.actuators.iter().map(|a| a.name.clone()))
+            .chain(rig.frames.iter().map(|f| f.name.clone()))
+            .chain(rig.mixes.iter().flat_map(|m| m.names.clone()))
+            .collect();
+        Self { taken }
+    }
+
+    /// `wanted`, or with a number behind it.
+    pub fn free(&mut self, wanted: &str) -> String {
+        let mut name = wanted.to_owned();
+        let mut k = 1;
+        while self.taken.contains(&name) {
+            k += 1;
+            name = format!("{wanted}_{k}");
+        }
+        self.taken.push(name.clone());
+        name
+    }
+}
+
+/// A parameter of an effect.
+pub(crate) fn parameter(name: &str, unit: String, positive: bool, doc: &str) -> EffectParameter {
+    EffectParameter { name: name.to_owned(), unit, positive, doc: doc.to_owned() }
+}
+
+/// A number as the language reads it, with few digits.
+pub(crate) fn rounded(value: f64) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return 0.0;
+    }
+    let scale = 10_f64.powf(value.abs().log10().floor() - 1.0);
+    let text = format!("{:e}", (value / scale).round() * scale);
+    text.parse::<f64>().map_or(value, |v| format!("{v:.12}").parse().unwrap_or(v))
+}

@@ -1,0 +1,48 @@
+//! Effects on the way from a motion to its measured value.
+
+use super::unit::{Text, is_angle};
+use super::{Edit, Effect, EffectParameter, Names, Signature, parameter};
+use model_dsl::rig::{Expr, Rig, Symbol};
+
+pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
+    for (output, y) in rig.outputs.iter().enumerate() {
+        let unit = Text::read(&y.unit.text);
+        let unit_text = if unit == Text::one() { "rad".to_owned() } else { unit.text() };
+        let mut add = |id: &str, place: String, p: EffectParameter, entry: &'static str, signature: Signature, of_the_day: bool| {
+            let value = p.name.clone();
+            let edit = Edit::Output { output, entry, value };
+            out.push(Effect { id: id.to_owned(), place, parameters: vec![p], shape: None, edit, signature, of_the_day });
+        };
+        let name = names.free(&format!("y_0_{}", y.name));
+        add("sensor_bias", y.name.clone(), parameter(&name, unit_text, false, "zero of the sensor"), "bias", Signature::Parameters, true);
+        let name = names.free(&format!("s_y_{}", y.name));
+        let p = parameter(&name, "1".to_owned(), false, "relative error of the sensor's scale");
+        add("sensor_scale", y.name.clone(), p, "scale", Signature::Parameters, false);
+        let name = names.free(&format!("d_y_{}", y.name));
+        let p = parameter(&name, "s".to_owned(), true, "delay of the sensor");
+        add("sensor_delay", y.name.clone(), p, "delay", Signature::OutputDelay(output), false);
+        let name = names.free(&format!("r_y_{}", y.name));
+        let p = parameter(&name, unit.by(&Text::read("s"), -1).text(), false, "drift of the sensor");
+        add("sensor_drift", y.name.clone(), p, "drift", Signature::Parameters, true);
+        // an axis that leans reads a part of another angle
+        let Expr::Symbol(Symbol::Coordinate(own)) = y.value else { continue };
+        if !is_angle(rig, own) {
+            continue;
+        }
+        for (other, c) in rig.coordinates.iter().enumerate().filter(|(other, _)| *other != own && is_angle(rig, *other)) {
+            let name = names.free(&format!("m_{}_{}", y.name, c.name));
+            let p = parameter(&name, "1".to_owned(), false, "share of the other angle");
+            let _ = other;
+            let value = format!("{name} * {}", c.name);
+            out.push(Effect {
+                id: "sensor_misalignment".to_owned(),
+                place: format!("{}->{}", c.name, y.name),
+                parameters: vec![p],
+                shape: None,
+                edit: Edit::Output { output, entry: "value", value },
+                signature: Signature::Parameters,
+                of_the_day: false,
+            });
+        }
+    }
+}

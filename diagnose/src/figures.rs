@@ -1,0 +1,52 @@
+//! How a model follows records: free runs, or predictions where free runs say nothing; and how far a gap shrank.
+
+use crate::answer::{Figure, Figures};
+use ident::compare::{CompareOptions, compare};
+use ident::innovations::Noise;
+use ident::record::Record;
+use runtime::Model;
+use sim::Hold;
+
+/// Figures of a model with parameters of its training records, and `p` for the test records.
+#[must_use]
+pub fn figures(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Record], test: &[Record], hold: Hold) -> Figures {
+    let of = |record: &Record, p: &[f64]| -> Vec<Figure> {
+        let options = CompareOptions { hold, ..CompareOptions::default() };
+        let Ok(found) = compare(model, p, record, &options) else { return Vec::new() };
+        let horizon = found.horizon();
+        found
+            .figures()
+            .into_iter()
+            .map(|f| Figure { record: record.source.clone(), signal: f.name, fit_percent: f.fit_percent, rmse: f.rmse, horizon })
+            .collect()
+    };
+    Figures {
+        train: train.iter().zip(p_train).flat_map(|(record, p)| of(record, p)).collect(),
+        test: test.iter().flat_map(|record| of(record, p)).collect(),
+    }
+}
+
+/// 1 - (after^2 - floor^2)/(before^2 - floor^2) of each signal over all test records; the floor is the noise of its sensor.
+#[must_use]
+pub fn shrink(model: &dyn Model, p: &[f64], noise: &Noise, before: &Figures, after: &Figures) -> Vec<(String, f64)> {
+    let names = model.names();
+    let floor = |signal: &str| {
+        let output = (0..model.dimensions().outputs).find(|&i| names.output(i) == signal);
+        output.map_or(0.0, |i| noise.output_sd[i].max(model.output_path(i, p).quantum / 12_f64.sqrt()))
+    };
+    let mut signals: Vec<&str> = before.test.iter().map(|f| f.signal.as_str()).collect();
+    signals.sort_unstable();
+    signals.dedup();
+    signals
+        .into_iter()
+        .filter_map(|signal| {
+            let square = |figures: &Figures| -> Option<f64> {
+                let own: Vec<f64> = figures.test.iter().filter(|f| f.signal == signal).map(|f| f.rmse).collect::<Option<_>>()?;
+                Some(own.iter().map(|e| e * e).sum::<f64>() / own.len().max(1) as f64)
+            };
+            let (b, a, f) = (square(before)?, square(after)?, floor(signal).powi(2));
+            // a gap of the size of the sensor's noise is none
+            (b > 2.0 * f).then(|| (signal.to_owned(), 1.0 - (a - f).max(0.0) / (b - f)))
+        })
+        .collect()
+}

@@ -1,0 +1,100 @@
+//! Texts to models: a rig with effects and with a force on every free coordinate, derived and ready to run.
+
+use crate::effects::unit::of_row;
+use crate::effects::{Effect, Signature};
+use crate::patch::{Base, PatchError, Written, check, compose};
+use codegen::Options;
+use ident::fit::ParameterSpec;
+use jit::InProcess;
+
+/// An effect that the model has.
+#[derive(Clone, Debug)]
+pub struct Included {
+    /// The effect.
+    pub effect: Effect,
+    /// One value for each record.
+    pub per_record: bool,
+    /// Values to start from.
+    pub start: Vec<f64>,
+}
+
+/// A derived rig.
+pub struct Prepared {
+    /// The rig and its texts.
+    pub base: Base,
+    /// Its model.
+    pub model: InProcess,
+    /// Its parameters: those of the rig as asked, those of effects free, forces fixed.
+    pub specs: Vec<ParameterSpec>,
+    /// Parameters by which forces enter, one for each free coordinate.
+    pub entries: Vec<usize>,
+    /// The coordinates of these.
+    pub coordinates: Vec<usize>,
+    /// For each included effect the indices of its parameters.
+    pub of_effect: Vec<Vec<usize>>,
+}
+
+/// Names of the forces on coordinates.
+fn pushed(base: &Base) -> Vec<(usize, String, String)> {
+    let rig = &base.rig;
+    (0..rig.coordinates.len())
+        .filter(|&i| !rig.coordinates[i].prescribed)
+        .map(|i| (i, format!("pushed_{}", rig.coordinates[i].name), of_row(rig, i).text()))
+        .collect()
+}
+
+/// Composes, checks and derives. `asked` are the base rig's parameters as the request has them. The first `accepted` effects are free,
+/// with their values to start from; the others are candidates at their null values, of which only those are written that are seen by the
+/// derivatives of their parameters.
+///
+/// # Errors
+/// [`PatchError`].
+pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accepted: usize) -> Result<Prepared, PatchError> {
+    let written: Vec<Written<'_>> = effects
+        .iter()
+        .enumerate()
+        .filter(|(k, e)| *k < accepted || e.effect.signature == Signature::Parameters)
+        .map(|(k, e)| Written {
+            effect: &e.effect,
+            values: (0..e.effect.parameters.len()).map(|i| (if k < accepted { e.start.get(i).copied().unwrap_or(0.0) } else { 0.0 }, 0.0)).collect(),
+            evidence: None,
+            per_record: e.per_record,
+            screened: k >= accepted,
+        })
+        .collect();
+    let pushed = pushed(base);
+    let files = compose(base, &written, &pushed)?;
+    let patched = check(&files, &base.rig.name)?;
+    let equations = codegen::derive(&patched.rig, Options::default()).map_err(|e| PatchError::Derive { why: e.to_string() })?;
+    let mut specs = ParameterSpec::of_rig(&patched.rig);
+    let index = |specs: &[ParameterSpec], name: &str| specs.iter().position(|s| s.name == name);
+    for own in asked {
+        if let Some(i) = index(&specs, &own.name) {
+            specs[i] = own.clone();
+        }
+    }
+    let mut entries = Vec::new();
+    for (_, name, _) in &pushed {
+        if let Some(i) = index(&specs, name) {
+            specs[i].free = false;
+            entries.push(i);
+        }
+    }
+    let mut of_effect = Vec::new();
+    for (k, e) in effects.iter().enumerate() {
+        let mut own = Vec::new();
+        for (j, p) in e.effect.parameters.iter().enumerate() {
+            let Some(i) = index(&specs, &p.name) else { continue };
+            let real = k < accepted;
+            specs[i].free = real;
+            specs[i].prior_sd = None;
+            specs[i].value = if real { e.start.get(j).copied().unwrap_or(0.0) } else { 0.0 };
+            specs[i].per_record = e.per_record;
+            specs[i].bounds = p.positive.then_some((0.0, f64::INFINITY));
+            own.push(i);
+        }
+        of_effect.push(own);
+    }
+    let coordinates = pushed.into_iter().map(|(i, ..)| i).collect();
+    Ok(Prepared { base: patched, model: InProcess::new(equations), specs, entries, coordinates, of_effect })
+}

@@ -1,0 +1,67 @@
+//! Whether records can be used at all, and samples that are taken out of use.
+
+use crate::model::Prepared;
+use ident::innovations::Track;
+use runtime::Model;
+
+/// Fewest samples of a record.
+const FEWEST: usize = 200;
+/// A sample this many robust standard deviations off its neighbours' line is an outlier.
+const OUTLIER: f64 = 8.0;
+/// A record with more outliers is not used.
+const MOST_OUTLIERS: f64 = 0.10;
+
+/// Faults of the records, in words; outliers are discarded on the way.
+pub fn look(prepared: &Prepared, p: &[f64], train: &mut [Track], test: &mut [Track]) -> Vec<String> {
+    let mut faults = Vec::new();
+    let names = prepared.model.names();
+    for track in train.iter_mut().chain(test) {
+        let file = track.source().to_owned();
+        let samples = track.times().len();
+        if samples < FEWEST {
+            faults.push(format!("{file}: {samples} samples are too few to tell an effect from chance ({FEWEST} are needed)"));
+            continue;
+        }
+        let mut moving = 0;
+        let mut bad: Vec<(usize, usize)> = Vec::new();
+        for (output, values) in track.measured() {
+            let quantum = prepared.model.output_path(output, p).quantum;
+            let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
+            if hi - lo > 3.0 * quantum && hi > lo {
+                moving += 1;
+            } else {
+                faults.push(format!("{file}: {} does not move (a dead channel, or nothing happened)", names.output(output)));
+            }
+            let found = outliers(values, quantum);
+            if found.len() as f64 > MOST_OUTLIERS * samples as f64 {
+                faults.push(format!("{file}: {} jumps in {} of {samples} samples: no motion of a rig", names.output(output), found.len()));
+            }
+            bad.extend(found.into_iter().map(|k| (output, k)));
+        }
+        if moving == 0 {
+            faults.push(format!("{file}: nothing moves"));
+        }
+        for (output, k) in bad {
+            track.discard(output, k);
+        }
+    }
+    faults
+}
+
+/// Samples that leave the line between their neighbours by far more than the others do, and come back.
+fn outliers(values: &[f64], quantum: f64) -> Vec<usize> {
+    if values.len() < 5 {
+        return Vec::new();
+    }
+    // against the median of five: a single spike does not move it
+    let off = |k: usize| {
+        let mut near: Vec<f64> = (k - 2..=k + 2).filter(|&i| i != k).map(|i| values[i]).collect();
+        near.sort_by(f64::total_cmp);
+        values[k] - 0.5 * (near[1] + near[2])
+    };
+    let all: Vec<f64> = (2..values.len() - 2).map(off).collect();
+    let mut sizes: Vec<f64> = all.iter().map(|v| v.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let scale = (1.4826 * sizes[sizes.len() / 2]).max(sizes[sizes.len() * 9 / 10] / 1.645).max(0.6 * quantum);
+    all.iter().enumerate().filter(|(_, v)| v.abs() > OUTLIER * scale.max(f64::MIN_POSITIVE)).map(|(k, _)| k + 2).collect()
+}

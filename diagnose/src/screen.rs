@@ -1,0 +1,384 @@
+//! Which effects would the records like to have: score tests of all candidates at once, without refitting.
+//!
+//! Whitened innovations z and their derivatives D_c by each candidate, those by the fitted parameters D_b projected out: with
+//! R = D_c - D_b (D_b^T D_b + priors)^-1 D_b^T D_c the statistic z^T R (R^T R)^-1 R^T z is chi-squared where the effect is absent (Rao's score test). All
+//! candidates look at the same z: the threshold of the whole family is the 5 % quantile of the smallest p-value over draws of the
+//! correlated scores. The variance of R^T z is also taken from the record itself, in case z is not as white as it should be; the
+//! larger one counts.
+
+use crate::chance::{Chance, beyond, quantile};
+use crate::effects::{Effect, Signature};
+use crate::model::Prepared;
+use ident::fit::FitError;
+use ident::innovations::{Column, Noise, Pass, Shape, Track, pass};
+use nalgebra::{DMatrix, DVector};
+use runtime::Model;
+
+/// Below this share of its own an effect is eaten by the fitted parameters.
+pub const UNIQUE: f64 = 0.05;
+/// Signatures with a larger cosine cannot be told apart.
+pub const SAME: f64 = 0.9;
+/// Draws of the family's scores.
+const DRAWS: usize = 4000;
+/// Samples over which scores are allowed to hang together.
+const LAGS: usize = 30;
+
+/// A candidate's columns.
+pub enum Seen<'a> {
+    /// An effect of the catalogue: by parameters of the screening model, or as its signature says.
+    Effect(&'a Effect, Vec<usize>),
+    /// The way to another model.
+    Towards(&'a Effect, &'a dyn Model),
+    /// A force of some shape on an equation, that no effect of the catalogue needs to have.
+    Shape(Vec<(usize, Box<Shape>)>, String),
+}
+
+/// What the test says of a candidate.
+#[derive(Clone, Debug)]
+pub struct Score {
+    /// Statistic, chi-squared with `degrees` where the effect is absent.
+    pub statistic: f64,
+    /// Degrees of freedom.
+    pub degrees: usize,
+    /// Its own p-value.
+    pub p_single: f64,
+    /// p-value in the family of all candidates.
+    pub p_family: f64,
+    /// Share of its signature that the fitted parameters do not have.
+    pub unique_fraction: f64,
+    /// Size of each parameter that would be found with 90 % probability (SI).
+    pub minimal_detectable: Vec<f64>,
+    /// One step from zero: value and standard error of each parameter.
+    pub step: Vec<(f64, f64)>,
+    /// The same for each record on its own, given the others' fit.
+    pub by_record: Vec<Vec<(f64, f64)>>,
+    /// Its whitened signature, projected, of length one.
+    pub direction: Vec<f32>,
+}
+
+/// All scores and the family's threshold.
+pub struct Screened {
+    /// One entry for each candidate.
+    pub scores: Vec<Score>,
+    /// Single p-value below which the family speaks.
+    pub threshold: f64,
+    /// Whitened innovations that were used.
+    pub samples: usize,
+}
+
+/// How a screening is made.
+#[derive(Clone, Copy, Debug)]
+pub struct ScreenOptions {
+    /// Probability that any of the family speaks where nothing is missing.
+    pub family: f64,
+    /// Seed of the draws.
+    pub seed: u64,
+}
+
+/// Scores all candidates at the fitted parameters `p` of each record.
+///
+/// # Errors
+/// [`FitError`] where a record cannot be followed.
+pub fn screen(
+    prepared: &Prepared,
+    p: &[Vec<f64>],
+    noise: &Noise,
+    tracks: &[Track],
+    candidates: &[Seen<'_>],
+    options: ScreenOptions,
+) -> Result<Screened, FitError> {
+    let (model, specs): (&dyn Model, _) = (&prepared.model, &prepared.specs);
+    let fitted: Vec<usize> = specs.iter().enumerate().filter(|(_, s)| s.free).map(|(i, _)| i).collect();
+    let mut columns: Vec<Column<'_>> = fitted.iter().map(|&i| Column::Parameter(i)).collect();
+    let mut own: Vec<std::ops::Range<usize>> = Vec::new();
+    for candidate in candidates {
+        let from = columns.len();
+        match candidate {
+            Seen::Effect(effect, parameters) => match effect.signature {
+                Signature::InputDelay(j) => columns.push(Column::InputDelay(j)),
+                Signature::OutputDelay(i) => columns.push(Column::OutputDelay(i)),
+                Signature::Parameters | Signature::Towards => columns.extend(parameters.iter().map(|&i| Column::Parameter(i))),
+            },
+            Seen::Towards(_, other) => columns.push(Column::Towards(*other)),
+            Seen::Shape(shapes, _) => columns.extend(shapes.iter().map(|(entry, shape)| Column::Shaped(*entry, shape.as_ref()))),
+        }
+        own.push(from..columns.len());
+    }
+    let passes = passes(model, p, tracks, noise, &columns)?;
+    let count = columns.len();
+
+    // base columns: one for each record where the parameter belongs to the day
+    let mut base: Vec<(usize, Option<usize>)> = Vec::new();
+    for (c, &i) in fitted.iter().enumerate() {
+        if specs[i].per_record {
+            base.extend((0..tracks.len()).map(|r| (c, Some(r))));
+        } else {
+            base.push((c, None));
+        }
+    }
+    let (b, m) = (base.len(), count - fitted.len());
+    let samples: usize = passes.iter().map(|pass| pass.z.len()).sum();
+    let mut gram = DMatrix::<f64>::zeros(b, b);
+    let mut cross = DMatrix::<f64>::zeros(b, m + 1);
+    for (r, pass) in passes.iter().enumerate() {
+        let of: Vec<(usize, usize)> =
+            base.iter().enumerate().filter(|(_, (_, record))| record.is_none_or(|k| k == r)).map(|(k, (c, _))| (k, *c)).collect();
+        for (z, row) in pass.z.iter().zip(pass.jacobian.chunks_exact(count)) {
+            for &(i, ci) in &of {
+                for &(j, cj) in &of {
+                    gram[(i, j)] += row[ci] * row[cj];
+                }
+                for (j, value) in row[fitted.len()..].iter().enumerate() {
+                    cross[(i, j)] += row[ci] * value;
+                }
+                cross[(i, m)] += row[ci] * z;
+            }
+        }
+    }
+    for (k, (c, _)) in base.iter().enumerate() {
+        if let Some(sd) = specs[fitted[*c]].prior_sd {
+            gram[(k, k)] += 1.0 / (sd * sd);
+        }
+    }
+    let projection = solve(&gram, &cross);
+
+    // residual columns and innovations
+    let mut residual = vec![0.0; samples * m];
+    let mut innovation = vec![0.0; samples];
+    let mut whole = vec![0.0; m];
+    let (mut at, mut record_of, mut time_of) = (0, vec![0_usize; samples], vec![0_usize; samples]);
+    for (r, pass) in passes.iter().enumerate() {
+        let of: Vec<(usize, usize)> =
+            base.iter().enumerate().filter(|(_, (_, record))| record.is_none_or(|k| k == r)).map(|(k, (c, _))| (k, *c)).collect();
+        for ((z, row), (k, _)) in pass.z.iter().zip(pass.jacobian.chunks_exact(count)).zip(&pass.at) {
+            let out = &mut residual[at * m..(at + 1) * m];
+            out.copy_from_slice(&row[fitted.len()..]);
+            whole.iter_mut().zip(out.iter()).for_each(|(w, v)| *w += v * v);
+            let mut z = *z;
+            for &(i, ci) in &of {
+                let value = row[ci];
+                if value != 0.0 {
+                    for (j, out) in out.iter_mut().enumerate() {
+                        *out -= value * projection[(i, j)];
+                    }
+                    z -= value * projection[(i, m)];
+                }
+            }
+            innovation[at] = z;
+            (record_of[at], time_of[at]) = (r, *k);
+            at += 1;
+        }
+    }
+    let all = gram_of(&residual, m);
+    let mut scores = Vec::new();
+    let mut tests = Vec::new();
+    for range in &own {
+        let range = range.start - fitted.len()..range.end - fitted.len();
+        let test = Test::new(&all, &whole, range.clone());
+        scores.push(score(&test, &residual, m, &innovation, &record_of, &time_of, tracks.len()));
+        tests.push(test);
+    }
+    let least = draws(&all, &tests, options.seed);
+    let eligible = tests.iter().filter(|t| t.speaks()).count().max(1);
+    let place = ((options.family * least.len() as f64) as usize).min(least.len().saturating_sub(1));
+    let threshold = least.get(place).copied().unwrap_or(options.family);
+    let reach = quantile(1.0 - 0.5 * threshold) + 1.2816;
+    for (score, test) in scores.iter_mut().zip(&tests) {
+        let below = least.partition_point(|p| *p <= score.p_single) as f64;
+        // beyond the draws the bound of Bonferroni holds
+        score.p_family = if below > 0.0 { below / least.len() as f64 } else { (eligible as f64 * score.p_single).min(1.0 / least.len() as f64) };
+        score.minimal_detectable = (0..test.range.len()).map(|k| reach / test.information(k).sqrt()).collect();
+    }
+    Ok(Screened { scores, threshold, samples })
+}
+
+fn passes(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &Noise, columns: &[Column<'_>]) -> Result<Vec<Pass>, FitError> {
+    let each: Vec<_> = std::thread::scope(|scope| {
+        let running: Vec<_> = tracks.iter().zip(p).map(|(track, p)| scope.spawn(move || pass(model, p, track, noise, columns))).collect();
+        running.into_iter().map(|handle| handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
+    });
+    let mut found = Vec::new();
+    for (one, track) in each.into_iter().zip(tracks) {
+        found.push(one?.ok_or(FitError::NoStart { file: track.source().to_owned(), status: sim::Status::Completed })?);
+    }
+    Ok(found)
+}
+
+/// X with (gram) X = cross, scaled; directions without information get nothing.
+fn solve(gram: &DMatrix<f64>, cross: &DMatrix<f64>) -> DMatrix<f64> {
+    let b = gram.nrows();
+    let scale: Vec<f64> = (0..b).map(|i| if gram[(i, i)] > 0.0 { gram[(i, i)].sqrt().recip() } else { 0.0 }).collect();
+    let scaled = DMatrix::from_fn(b, b, |i, j| gram[(i, j)] * scale[i] * scale[j]);
+    let right = DMatrix::from_fn(b, cross.ncols(), |i, j| cross[(i, j)] * scale[i]);
+    if b == 0 {
+        return right;
+    }
+    let eigen = scaled.symmetric_eigen();
+    let largest = eigen.eigenvalues.max().max(f64::MIN_POSITIVE);
+    let mut turned = eigen.eigenvectors.transpose() * right;
+    for (i, value) in eigen.eigenvalues.iter().enumerate() {
+        let inverse = if *value > 1e-11 * largest { value.recip() } else { 0.0 };
+        turned.row_mut(i).scale_mut(inverse);
+    }
+    let mut x = eigen.eigenvectors * turned;
+    (0..b).for_each(|i| x.row_mut(i).scale_mut(scale[i]));
+    x
+}
+
+fn gram_of(rows: &[f64], m: usize) -> DMatrix<f64> {
+    let mut sum = vec![0.0; m * m];
+    for row in rows.chunks_exact(m.max(1)) {
+        for (i, a) in row.iter().enumerate() {
+            if *a != 0.0 {
+                sum[i * m + i..(i + 1) * m].iter_mut().zip(&row[i..]).for_each(|(s, b)| *s += a * b);
+            }
+        }
+    }
+    DMatrix::from_fn(m, m, |i, j| sum[i.min(j) * m + i.max(j)])
+}
+
+/// The information of one candidate.
+struct Test {
+    range: std::ops::Range<usize>,
+    /// R^T R, and its pseudo-inverse over directions that are its own.
+    normal: DMatrix<f64>,
+    inverse: DMatrix<f64>,
+    degrees: usize,
+    unique: f64,
+}
+
+impl Test {
+    fn new(all: &DMatrix<f64>, whole: &[f64], range: std::ops::Range<usize>) -> Self {
+        let k = range.len();
+        let normal = DMatrix::from_fn(k, k, |i, j| all[(range.start + i, range.start + j)]);
+        let scale: Vec<f64> = range.clone().map(|i| if whole[i] > 0.0 { whole[i].sqrt().recip() } else { 0.0 }).collect();
+        // share of each column that is its own, directions of it
+        let shares = DMatrix::from_fn(k, k, |i, j| normal[(i, j)] * scale[i] * scale[j]);
+        let eigen = shares.symmetric_eigen();
+        let unique = eigen.eigenvalues.iter().copied().fold(0.0, f64::max).min(1.0);
+        let mut inverse = DMatrix::zeros(k, k);
+        let mut degrees = 0;
+        for (l, value) in eigen.eigenvalues.iter().enumerate() {
+            if *value > 1e-6 {
+                degrees += 1;
+                for i in 0..k {
+                    for j in 0..k {
+                        inverse[(i, j)] += eigen.eigenvectors[(i, l)] * eigen.eigenvectors[(j, l)] / value * scale[i] * scale[j];
+                    }
+                }
+            }
+        }
+        Self { range, normal, inverse, degrees, unique }
+    }
+
+    fn speaks(&self) -> bool {
+        self.degrees > 0 && self.unique >= UNIQUE
+    }
+
+    fn statistic(&self, b: &DVector<f64>) -> f64 {
+        (b.transpose() * &self.inverse * b)[(0, 0)].max(0.0)
+    }
+
+    /// Information about parameter k, the others of the effect being known.
+    fn information(&self, k: usize) -> f64 {
+        self.normal[(k, k)].max(1e-300)
+    }
+}
+
+fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], time: &[usize], records: usize) -> Score {
+    let k = test.range.len();
+    let row = |s: usize| &residual[s * m + test.range.start..s * m + test.range.end];
+    let mut b = DVector::<f64>::zeros(k);
+    let mut b_of = vec![DVector::<f64>::zeros(k); records];
+    let mut normal_of = vec![DMatrix::<f64>::zeros(k, k); records];
+    // scores summed over the outputs of one sample
+    let mut moments: Vec<(usize, usize, DVector<f64>)> = Vec::new();
+    for s in 0..z.len() {
+        let r = row(s);
+        let product = DVector::from_fn(k, |i, _| r[i] * z[s]);
+        for i in 0..k {
+            for j in 0..k {
+                normal_of[record[s]][(i, j)] += r[i] * r[j];
+            }
+        }
+        b_of[record[s]] += &product;
+        match moments.last_mut() {
+            Some((at, of, sum)) if *at == time[s] && *of == record[s] => *sum += &product,
+            _ => moments.push((time[s], record[s], product.clone())),
+        }
+        b += product;
+    }
+    let mut statistic = test.statistic(&b);
+    // the record's own variance of the scores
+    let mut meat = DMatrix::<f64>::zeros(k, k);
+    for lag in 0..=LAGS.min(moments.len().saturating_sub(1)) {
+        let weight = if lag == 0 { 0.5 } else { 1.0 - lag as f64 / (LAGS as f64 + 1.0) };
+        for (a, c) in moments.iter().zip(&moments[lag..]) {
+            if a.1 == c.1 {
+                meat += weight * (&a.2 * c.2.transpose() + &c.2 * a.2.transpose());
+            }
+        }
+    }
+    let estimate = &test.inverse * &b;
+    let meat_of = (estimate.transpose() * &meat * &estimate)[(0, 0)];
+    let model_of = (estimate.transpose() * &test.normal * &estimate)[(0, 0)];
+    if meat_of > model_of && model_of > 0.0 {
+        statistic *= model_of / meat_of;
+    }
+    let p_single = if test.speaks() { beyond(statistic, test.degrees) } else { 1.0 };
+    let step = (0..k).map(|i| (estimate[i], test.inverse[(i, i)].max(0.0).sqrt())).collect();
+    let by_record = (0..records)
+        .map(|r| {
+            let inverse = normal_of[r].clone().pseudo_inverse(1e-12).unwrap_or_else(|_| DMatrix::zeros(k, k));
+            let value = &inverse * &b_of[r];
+            (0..k).map(|i| (value[i], if inverse[(i, i)] > 0.0 { inverse[(i, i)].sqrt() } else { f64::INFINITY })).collect()
+        })
+        .collect();
+    let mut direction: Vec<f32> = (0..z.len()).map(|s| row(s).iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>() as f32).collect();
+    let length = direction.iter().map(|d| f64::from(*d).powi(2)).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
+    direction.iter_mut().for_each(|d| *d = (f64::from(*d) / length) as f32);
+    Score {
+        statistic,
+        degrees: test.degrees,
+        p_single,
+        p_family: 1.0,
+        unique_fraction: test.unique,
+        minimal_detectable: Vec::new(),
+        step,
+        by_record,
+        direction,
+    }
+}
+
+/// Smallest p-values of the family over draws with nothing missing, ascending.
+fn draws(all: &DMatrix<f64>, tests: &[Test], seed: u64) -> Vec<f64> {
+    let m = all.nrows();
+    let scale: Vec<f64> = (0..m).map(|i| if all[(i, i)] > 0.0 { all[(i, i)].sqrt() } else { 0.0 }).collect();
+    let unit = DMatrix::from_fn(m, m, |i, j| if scale[i] * scale[j] > 0.0 { all[(i, j)] / (scale[i] * scale[j]) } else { 0.0 });
+    if m == 0 {
+        return vec![1.0];
+    }
+    let eigen = unit.symmetric_eigen();
+    let kept: Vec<usize> = (0..m).filter(|&k| eigen.eigenvalues[k] > 1e-10).collect();
+    let root = DMatrix::from_fn(m, kept.len(), |i, k| scale[i] * eigen.eigenvectors[(i, kept[k])] * eigen.eigenvalues[kept[k]].sqrt());
+    let mut chance = Chance::new(seed);
+    let mut least: Vec<f64> = (0..DRAWS)
+        .map(|_| {
+            let xi = DVector::from_fn(kept.len(), |_, _| chance.normal());
+            let b = &root * xi;
+            tests
+                .iter()
+                .filter(|t| t.speaks())
+                .map(|t| beyond(t.statistic(&DVector::from_fn(t.range.len(), |i, _| b[t.range.start + i])), t.degrees))
+                .fold(1.0, f64::min)
+        })
+        .collect();
+    least.sort_by(f64::total_cmp);
+    least
+}
+
+/// Cosine of two signatures.
+#[must_use]
+pub fn cosine(a: &Score, b: &Score) -> f64 {
+    a.direction.iter().zip(&b.direction).map(|(x, y)| f64::from(*x) * f64::from(*y)).sum()
+}

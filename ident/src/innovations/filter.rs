@@ -1,0 +1,359 @@
+//! One pass of the filter over one record: whitened innovations and their derivatives.
+
+use super::noise::Noise;
+use super::transition::{Carried, Stepper};
+use crate::fit::FitError;
+use crate::fit::data::Data;
+use crate::fit::initial::{estimate, usual};
+use crate::fit::{InitialStates, Known};
+use crate::record::{Record, Start};
+use runtime::Model;
+use sim::{Hold, Segment};
+
+/// A record bound to a model, with the state at which it begins.
+#[derive(Clone, Debug)]
+pub struct Track {
+    pub(crate) data: Data,
+    /// Standard errors of the initial state.
+    pub(crate) initial_sd: Vec<f64>,
+    pub(crate) initial: Vec<f64>,
+}
+
+/// What innovations are differentiated by.
+pub enum Column<'a> {
+    /// A parameter of the model.
+    Parameter(usize),
+    /// A further delay of an input.
+    InputDelay(usize),
+    /// A further delay of an output.
+    OutputDelay(usize),
+    /// The way from this model to another one with the same states, signals and parameters: x' + s (x'_other - x') at s = 0.
+    Towards(&'a dyn Model),
+    /// A force of a given shape, f(t, x, u), by the parameter of this disturbance (index into [`Noise::entries`]).
+    Shaped(usize, &'a Shape),
+}
+
+/// A number that depends on time, state and signals.
+pub type Shape = dyn Fn(f64, &[f64], &[f64]) -> f64 + Sync;
+
+/// Gains and standard deviations of a filter, to be used again: one entry for each innovation.
+#[derive(Clone, Debug, Default)]
+pub struct Gains {
+    gain: Vec<f64>,
+    pub(super) sd: Vec<f64>,
+}
+
+/// What a pass found.
+#[derive(Clone, Debug, Default)]
+pub struct Pass {
+    /// Whitened innovations, by time, then by output.
+    pub z: Vec<f64>,
+    /// Sample and output (index in the model) of each.
+    pub at: Vec<(usize, usize)>,
+    /// Their derivatives, `z.len()` x columns.
+    pub jacobian: Vec<f64>,
+    /// Sum of the logarithms of the innovations' variances.
+    pub log_variance: f64,
+    /// Gains, if they were asked for.
+    pub gains: Gains,
+    /// Filtered states and disturbances at every sample, samples x order.
+    pub states: Vec<f64>,
+}
+
+impl Pass {
+    /// Logarithm of the likelihood, without the constant of 2 pi.
+    #[must_use]
+    pub fn log_likelihood(&self) -> f64 {
+        -0.5 * (self.log_variance + self.z.iter().map(|z| z * z).sum::<f64>())
+    }
+}
+
+/// How a pass is made.
+pub(crate) enum Filtering<'g> {
+    /// Gains from the noise, kept in the result.
+    Riccati,
+    /// Gains of an earlier pass.
+    Frozen(&'g Gains),
+}
+
+impl Track {
+    /// Binds a record. Values that are not to be used may be NaN.
+    ///
+    /// # Errors
+    /// [`FitError`] where the record does not fit the model.
+    pub fn new(record: &Record, model: &dyn Model, p: &[f64], hold: Hold) -> Result<Self, FitError> {
+        let data = Data::new(record, model, hold)?;
+        let mut track = Self { data, initial_sd: Vec::new(), initial: Vec::new() };
+        track.begin(model, p);
+        Ok(track)
+    }
+
+    /// Estimates the initial state anew.
+    pub(crate) fn begin(&mut self, model: &dyn Model, p: &[f64]) {
+        let last = self.data.times.len() - 1;
+        let how = match usual(self.data.start) {
+            InitialStates { rates: Known::Fixed, .. } => InitialStates { coordinates: Known::Prior, rates: Known::Fixed },
+            _ => InitialStates { coordinates: Known::Prior, rates: Known::Prior },
+        };
+        let found = estimate(model, p, &self.data, (0, last), self.data.start, how);
+        let d = model.dimensions();
+        let mut sd = vec![0.0; d.states()];
+        for unknown in &found.unknowns {
+            sd[unknown.state] = 2.0 * unknown.size;
+        }
+        // coordinates that nothing measures, rates that are said to be zero: some room all the same
+        let room = found.unknowns.iter().filter(|u| u.state < d.coordinates).map(|u| u.size).fold(0.0, f64::max);
+        for (i, sd) in sd.iter_mut().enumerate().filter(|(_, sd)| **sd == 0.0) {
+            *sd = if i < 2 * d.coordinates && self.data.start == Start::Free { 10.0 * room } else { room };
+        }
+        (self.initial, self.initial_sd) = (found.x, sd);
+    }
+
+    /// File of the record.
+    #[must_use]
+    pub fn source(&self) -> &str {
+        &self.data.source
+    }
+
+    /// Time stamps [s].
+    #[must_use]
+    pub fn times(&self) -> &[f64] {
+        &self.data.times
+    }
+
+    /// Measured outputs: index in the model and values.
+    pub fn measured(&self) -> impl Iterator<Item = (usize, &[f64])> {
+        self.data.outputs.iter().copied().zip(self.data.measured.iter().map(Vec::as_slice))
+    }
+
+    /// Takes a sample of an output out of use.
+    pub fn discard(&mut self, output: usize, sample: usize) {
+        if let Some(i) = self.data.outputs.iter().position(|&o| o == output)
+            && let Some(value) = self.data.measured[i].get_mut(sample)
+        {
+            *value = f64::NAN;
+        }
+    }
+
+    /// Only the samples `from..to`.
+    #[must_use]
+    pub fn part(&self, from: usize, to: usize, model: &dyn Model, p: &[f64]) -> Self {
+        let mut data = self.data.clone();
+        data.times = data.times[from..to].to_vec();
+        data.measured.iter_mut().for_each(|m| *m = m[from..to].to_vec());
+        if from > 0 {
+            data.start = Start::Free;
+        }
+        let mut part = Self { data, initial_sd: Vec::new(), initial: Vec::new() };
+        part.begin(model, p);
+        part
+    }
+
+    /// Inputs and exogenous signals at time t, within limits.
+    #[must_use]
+    pub fn inputs(&self, model: &dyn Model, p: &[f64], t: f64) -> Vec<f64> {
+        self.data.inputs(model, p, t)
+    }
+
+    /// Pieces on which the inputs are straight.
+    pub(crate) fn segments(&self, model: &dyn Model, p: &[f64]) -> Result<Vec<Segment>, FitError> {
+        let paths = sim::input_paths(model, p)?;
+        let t = &self.data.times;
+        Ok(self.data.signals.segments(&paths, t[0], t[t.len() - 1]))
+    }
+}
+
+/// One pass over a record with gains that follow from the noise; `None` where the model cannot be followed to the end.
+///
+/// # Errors
+/// [`FitError`] where a delay is negative.
+pub fn pass(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise, columns: &[Column<'_>]) -> Result<Option<Pass>, FitError> {
+    run(model, p, track, noise, columns, &Filtering::Riccati, &mut |_| {})
+}
+
+/// What an observer of a pass sees at each sample.
+pub(crate) struct Seen<'s> {
+    /// Transition matrix from the sample before.
+    pub transition: &'s [f64],
+    /// State and covariance before the sample.
+    pub predicted: (&'s [f64], &'s [f64]),
+    /// After it.
+    pub updated: (&'s [f64], &'s [f64]),
+}
+
+/// A pass; `observe` is called at every sample where gains are computed.
+pub(crate) fn run(
+    model: &dyn Model,
+    p: &[f64],
+    track: &Track,
+    noise: &Noise,
+    columns: &[Column<'_>],
+    filtering: &Filtering<'_>,
+    observe: &mut dyn FnMut(&Seen<'_>),
+) -> Result<Option<Pass>, FitError> {
+    let d = model.dimensions();
+    let (n, m) = (d.states(), columns.len());
+    let order = n + noise.entries.len();
+    let segments = track.segments(model, p)?;
+    let times = &track.data.times;
+    let measured = shifted(model, p, &track.data);
+    let variance: Vec<f64> = noise.sd.iter().map(|s| s * s).collect();
+    let decay: Vec<f64> = noise.time.iter().map(|t| 1.0 / t).collect();
+    let riccati = matches!(filtering, Filtering::Riccati);
+    let mut stepper = Stepper::new(model, p, &noise.entries, variance.clone(), decay, columns);
+    let mut carried = Carried {
+        state: track.initial.iter().copied().chain(vec![0.0; noise.entries.len()]).collect(),
+        covariance: if riccati { vec![0.0; order * order] } else { Vec::new() },
+        sensitivity: vec![0.0; order * m],
+        transition: if riccati { vec![0.0; order * order] } else { Vec::new() },
+    };
+    if riccati {
+        for i in 0..order {
+            carried.covariance[i * order + i] = if i < n { track.initial_sd[i].powi(2) } else { variance[i - n] };
+        }
+    }
+    let mut found = Pass::default();
+    found.states.reserve(times.len() * order);
+    let (mut y, mut c, mut dhdp) = (vec![0.0; d.outputs], vec![0.0; d.outputs * n], vec![0.0; d.outputs * d.parameters]);
+    let mut rate = vec![0.0; n];
+    let mut u = vec![0.0; d.signals()];
+    let (mut gain, mut row) = (vec![0.0; order], vec![0.0; m]);
+    let (mut predicted, mut covariance) = (vec![0.0; order], Vec::new());
+    let mut segment = 0;
+    let late: bool = columns.iter().any(|c| matches!(c, Column::OutputDelay(_)));
+    for (k, &t) in times.iter().enumerate() {
+        if k > 0 {
+            if riccati {
+                carried.transition.fill(0.0);
+                (0..order).for_each(|i| carried.transition[i * order + i] = 1.0);
+            }
+            let mut from = times[k - 1];
+            while from < t {
+                while segment + 1 < segments.len() && segments[segment].to <= from {
+                    segment += 1;
+                    let (before, after) = (&segments[segment - 1], &segments[segment]);
+                    let jump: Vec<f64> = (0..d.signals())
+                        .map(|i| after.values[i] - (before.values[i] + before.slopes[i] * (before.to - before.from)))
+                        .collect();
+                    if stepper.switch(from, after, &jump, &mut carried).is_err() {
+                        return Ok(None);
+                    }
+                }
+                let last = segment + 1 == segments.len();
+                let to = if last { t } else { segments[segment].to.min(t) };
+                if stepper.stretch(&segments[segment], from, to, &mut carried).is_err() {
+                    return Ok(None);
+                }
+                from = to;
+            }
+        }
+        predicted.copy_from_slice(&carried.state);
+        if riccati {
+            covariance.clone_from(&carried.covariance);
+        }
+        model.outputs(t, &carried.state[..n], stepper.parameters(), &mut y);
+        model.output_jacobian(t, &carried.state[..n], stepper.parameters(), &mut c, &mut dhdp);
+        if late {
+            segments[segment].at(t, &mut u);
+            if model.rhs(t, &carried.state[..n], &u, stepper.parameters(), &mut rate).is_err() {
+                return Ok(None);
+            }
+        }
+        for (i, values) in measured.iter().enumerate() {
+            let output = track.data.outputs[i];
+            if !values[k].is_finite() {
+                continue;
+            }
+            let c = &c[output * n..(output + 1) * n];
+            // outputs before this one have moved the state
+            let moved: f64 = (0..n).map(|j| c[j] * (carried.state[j] - predicted[j])).sum();
+            let error = values[k] - y[output] - moved;
+            let sd = match filtering {
+                Filtering::Riccati => {
+                    for (row, gain) in gain.iter_mut().enumerate() {
+                        *gain = (0..n).map(|j| carried.covariance[row * order + j] * c[j]).sum();
+                    }
+                    let variance = (0..n).map(|j| c[j] * gain[j]).sum::<f64>() + noise.output_sd[output].powi(2);
+                    for a in 0..order {
+                        for b in 0..order {
+                            carried.covariance[a * order + b] -= gain[a] * gain[b] / variance;
+                        }
+                    }
+                    gain.iter_mut().for_each(|g| *g /= variance);
+                    found.gains.gain.extend(&gain);
+                    found.gains.sd.push(variance.sqrt());
+                    variance.sqrt()
+                }
+                Filtering::Frozen(gains) => {
+                    let at = found.z.len();
+                    let Some(sd) = gains.sd.get(at) else { return Ok(None) };
+                    gain.copy_from_slice(&gains.gain[at * order..(at + 1) * order]);
+                    *sd
+                }
+            };
+            if m > 0 {
+                row.fill(0.0);
+                for j in 0..n {
+                    if c[j] != 0.0 {
+                        row.iter_mut().zip(&carried.sensitivity[j * m..(j + 1) * m]).for_each(|(r, s)| *r -= c[j] * s);
+                    }
+                }
+                for (r, column) in row.iter_mut().zip(columns) {
+                    match column {
+                        Column::Parameter(j) => *r -= dhdp[output * d.parameters + j],
+                        Column::OutputDelay(o) if *o == output => *r += (0..n).map(|j| c[j] * rate[j]).sum::<f64>(),
+                        _ => {}
+                    }
+                }
+                for (a, &g) in gain.iter().enumerate() {
+                    if g != 0.0 {
+                        carried.sensitivity[a * m..(a + 1) * m].iter_mut().zip(&row).for_each(|(s, r)| *s += g * r);
+                    }
+                }
+                found.jacobian.extend(row.iter().map(|r| r / sd));
+            }
+            carried.state.iter_mut().zip(&gain).for_each(|(x, g)| *x += g * error);
+            let z = error / sd;
+            if !(z.abs() < 1e9 && sd > 0.0) {
+                return Ok(None);
+            }
+            found.z.push(z);
+            found.at.push((k, output));
+            found.log_variance += 2.0 * sd.ln();
+        }
+        found.states.extend(&carried.state);
+        if riccati {
+            observe(&Seen {
+                transition: &carried.transition,
+                predicted: (&predicted, &covariance),
+                updated: (&carried.state, &carried.covariance),
+            });
+        }
+    }
+    Ok(Some(found))
+}
+
+/// Measured outputs at the times at which their sensors saw them.
+fn shifted(model: &dyn Model, p: &[f64], data: &Data) -> Vec<Vec<f64>> {
+    data.outputs
+        .iter()
+        .zip(&data.measured)
+        .map(|(&output, values)| {
+            let delay = model.output_path(output, p).delay;
+            if delay == 0.0 {
+                return values.clone();
+            }
+            let t = &data.times;
+            t.iter()
+                .map(|s| {
+                    let at = s + delay;
+                    let k = t.partition_point(|t| *t <= at).max(1);
+                    if k >= t.len() {
+                        return f64::NAN;
+                    }
+                    values[k - 1] + (values[k] - values[k - 1]) * (at - t[k - 1]) / (t[k] - t[k - 1])
+                })
+                .collect()
+        })
+        .collect()
+}

@@ -1,0 +1,178 @@
+//! Sizes of the noises: what pushes the rig and what blurs its outputs.
+
+use super::filter::{Track, pass};
+use crate::fit::data::spread;
+use runtime::Model;
+
+/// Random forces on the coordinates, and noise of the outputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Noise {
+    /// Parameters of the model by which the forces enter.
+    pub entries: Vec<usize>,
+    /// Standard deviation of each force, in the unit of its parameter.
+    pub sd: Vec<f64>,
+    /// Correlation time of each [s].
+    pub time: Vec<f64>,
+    /// Standard deviation of each output's noise (SI), by output of the model.
+    pub output_sd: Vec<f64>,
+}
+
+/// Least and largest noise of an output, in standard deviations of its encoder's steps (or 1e-5 of its spread).
+const OUTPUT: (f64, f64) = (1.0, 30.0);
+
+impl Noise {
+    /// A start: forces that move the rates by a twentieth of their spread within a fifth of a second.
+    #[must_use]
+    pub fn guess(model: &dyn Model, p: &[f64], tracks: &[Track], entries: Vec<usize>) -> Self {
+        let d = model.dimensions();
+        let floor = floors(model, p, tracks);
+        let mut jacobian = vec![0.0; d.states() * d.parameters];
+        let mut sd = vec![1.0; entries.len()];
+        if let Some(track) = tracks.first() {
+            let t = track.times()[0];
+            if model.parameter_jacobian(t, &track.initial, &track.inputs(model, p, t), p, &mut jacobian).is_ok() {
+                let span = track.times()[track.times().len() - 1] - t;
+                for (sd, &entry) in sd.iter_mut().zip(&entries) {
+                    let reach = (0..d.states()).map(|i| jacobian[i * d.parameters + entry].abs()).fold(0.0, f64::max);
+                    let moved = track.measured().map(|(_, v)| spread_of(v)).fold(0.0, f64::max);
+                    let rate = moved * 8.0 / span.min(10.0);
+                    *sd = 0.05 * rate / 0.2 / if reach > 0.0 { reach } else { 1.0 };
+                }
+            }
+        }
+        Self { time: vec![0.2; entries.len()], entries, sd, output_sd: floor }
+    }
+
+    fn get(&self, k: usize) -> f64 {
+        let nd = self.sd.len();
+        match k {
+            k if k < nd => self.sd[k],
+            k if k < 2 * nd => self.time[k - nd],
+            k => self.output_sd[k - 2 * nd],
+        }
+    }
+
+    fn set(&mut self, k: usize, value: f64) {
+        let nd = self.sd.len();
+        match k {
+            k if k < nd => self.sd[k] = value,
+            k if k < 2 * nd => self.time[k - nd] = value,
+            k => self.output_sd[k - 2 * nd] = value,
+        }
+    }
+}
+
+fn spread_of(values: &[f64]) -> f64 {
+    let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    if finite.is_empty() { 0.0 } else { spread(&finite) }
+}
+
+/// The least noise of each output: that of its encoder's steps.
+pub(crate) fn floors(model: &dyn Model, p: &[f64], tracks: &[Track]) -> Vec<f64> {
+    (0..model.dimensions().outputs)
+        .map(|i| {
+            let quantum = model.output_path(i, p).quantum;
+            let seen = tracks.iter().flat_map(Track::measured).filter(|(o, _)| *o == i).map(|(_, v)| spread_of(v)).fold(0.0, f64::max);
+            (quantum / 12_f64.sqrt()).max(1e-5 * seen).max(1e-12)
+        })
+        .collect()
+}
+
+/// The noise of maximum likelihood, searched from `from` along its logarithms one after the other with steps that halve
+/// (R. Hooke and T. A. Jeeves, "Direct search", 1961). `None` where the model cannot be followed.
+#[must_use]
+pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noise, finest: f64) -> Option<Noise> {
+    let (mut parts, mut values) = (Vec::new(), Vec::new());
+    for (track, p) in tracks.iter().zip(p) {
+        // the noise of a rig does not need all samples to be known
+        let samples = track.times().len();
+        let wanted = (MOST_SAMPLES / tracks.len()).max(400);
+        if samples <= wanted {
+            parts.push(track.clone());
+            values.push(p.clone());
+        } else {
+            // windows spread over the record
+            let windows = (wanted / 500).clamp(1, 4);
+            let length = wanted / windows;
+            for w in 0..windows {
+                let at = (samples - length) * (2 * w + 1) / (2 * windows);
+                parts.push(track.part(at, at + length, model, p));
+                values.push(p.clone());
+            }
+        }
+    }
+    let period = tracks.iter().map(|t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64).fold(f64::INFINITY, f64::min);
+    let shortest = tracks.iter().map(|t| t.times()[t.times().len() - 1] - t.times()[0]).fold(f64::INFINITY, f64::min);
+    let floor = floors(model, p.first()?, tracks);
+    let nd = from.sd.len();
+    let seen: Vec<usize> = (0..floor.len()).filter(|&i| tracks.iter().any(|t| t.measured().any(|(o, _)| o == i))).collect();
+    let bounds = |k: usize| match k {
+        k if k < nd => (1e-9, f64::INFINITY),
+        k if k < 2 * nd => (period, (0.04 * shortest).clamp(2.0 * period, 2.0)),
+        k => (OUTPUT.0 * floor[k - 2 * nd], OUTPUT.1 * floor[k - 2 * nd]),
+    };
+    let likelihood = |noise: &Noise| -> f64 {
+        let each = in_parallel(&parts, |i, part| {
+            pass(model, &values[i], part, noise, &[]).ok().flatten().map_or(f64::NEG_INFINITY, |pass| pass.log_likelihood())
+        });
+        each.iter().sum()
+    };
+    let unknowns: Vec<usize> = (0..2 * nd).chain(seen.iter().map(|i| 2 * nd + i)).collect();
+    let mut best = from.clone();
+    for &k in &unknowns {
+        let (lo, hi) = bounds(k);
+        best.set(k, best.get(k).clamp(lo, hi));
+    }
+    let mut value = likelihood(&best);
+    let mut step = 1.6_f64;
+    while step > finest {
+        let mut moved = false;
+        for &k in &unknowns {
+            let (lo, hi) = bounds(k);
+            for sign in [1.0, -1.0] {
+                let mut went = false;
+                loop {
+                    let mut other = best.clone();
+                    other.set(k, (best.get(k) * (sign * step).exp()).clamp(lo, hi));
+                    if other == best {
+                        break;
+                    }
+                    let at = likelihood(&other);
+                    if at > value + 0.05 {
+                        (best, value, went, moved) = (other, at, true, true);
+                    } else {
+                        break;
+                    }
+                }
+                if went {
+                    break;
+                }
+            }
+        }
+        if !moved {
+            step *= 0.5;
+        }
+    }
+    value.is_finite().then_some(best)
+}
+
+/// Samples from which the noise is found.
+const MOST_SAMPLES: usize = 3000;
+
+/// `f` of each item, on both halves of the list at once; in the order of the list.
+pub(crate) fn in_parallel<T: Sync, R: Send>(items: &[T], f: impl Fn(usize, &T) -> R + Sync) -> Vec<R> {
+    if items.len() < 2 {
+        return items.iter().enumerate().map(|(i, item)| f(i, item)).collect();
+    }
+    let middle = items.len() / 2;
+    let (left, right) = items.split_at(middle);
+    std::thread::scope(|scope| {
+        let other = scope.spawn(|| right.iter().enumerate().map(|(i, item)| f(middle + i, item)).collect::<Vec<R>>());
+        let mut all: Vec<R> = left.iter().enumerate().map(|(i, item)| f(i, item)).collect();
+        match other.join() {
+            Ok(rest) => all.extend(rest),
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+        all
+    })
+}
