@@ -3,10 +3,10 @@
 use crate::answer::Figures;
 use crate::base_fit::{Fitted, likelihoods};
 use crate::chance::{beyond, mean_and_half_width};
-use crate::figures::{figures, shrink};
+use crate::figures::{View, figures, shrink};
 use crate::model::{Included, Prepared};
 use crate::workflow::{DiagnoseError, Options};
-use ident::innovations::Track;
+use ident::innovations::{Noise, Track};
 use ident::record::Record;
 
 /// A refitted candidate.
@@ -59,9 +59,10 @@ pub fn judge(
     test: &[Record],
     held: &[Track],
     base_figures: &Figures,
+    seen: View,
     options: &Options<'_>,
 ) -> Result<Judged, DiagnoseError> {
-    let after = figures(&tried.prepared.model, &tried.fitted.found.p, &tried.fitted.mean(), train, test, options.hold);
+    let after = figures(&tried.prepared.model, &tried.fitted.found.p, &tried.fitted.mean(), train, test, seen);
     let refuse = |why: String, gain: (f64, f64)| Ok(Judged { refused: Some(why), gain, figures: after.clone() });
     let none = (0.0, f64::INFINITY);
     let own = tried.prepared.of_effect.last().cloned().unwrap_or_default();
@@ -76,16 +77,17 @@ pub fn judge(
     if let Some(p) = differ(&tried.by_record).filter(|p| *p < DIFFER && !tried.per_record) {
         return refuse(format!("training records contradict each other about its size (p = {p:.1e})"), none);
     }
-    let (old, new) = (likelihoods(prepared, before, held)?, likelihoods(&tried.prepared, &tried.fitted, held)?);
-    let mut gains = Vec::new();
-    for (old, new) in old.iter().zip(&new) {
-        match (old, new) {
-            (Some(old), Some(new)) => gains.extend(old.iter().zip(new).map(|(o, n)| n - o)),
-            (_, None) => return refuse("a test record cannot be followed with it".to_owned(), none),
-            (None, Some(_)) => {}
-        }
+    // with the noise of each, as each would predict; and both through the filter of the refitted one, since the noise of the model
+    // before has grown to swallow what it lacks
+    let noises = [(&before.found.noise, &tried.fitted.found.noise), (&tried.fitted.found.noise, &tried.fitted.found.noise)];
+    let mut found = Vec::new();
+    for (old, new) in noises {
+        let Some(gains) = gains(before, prepared, old, tried, new, held)? else {
+            return refuse("a test record cannot be followed with it".to_owned(), none);
+        };
+        found.push(mean_and_half_width(&gains, LAGS));
     }
-    let gain = mean_and_half_width(&gains, LAGS);
+    let gain = if found[0].0 > found[0].1 { found[0] } else { found[1] };
     if gain.0 - gain.1 <= 0.0 {
         return refuse(format!("no gain on other records: {:.2e} +- {:.1e} nats/sample", gain.0, gain.1), gain);
     }
@@ -99,6 +101,29 @@ pub fn judge(
         return refuse("it makes the run on other records worse".to_owned(), gain);
     }
     Ok(Judged { refused: None, gain, figures: after })
+}
+
+/// Gain of log-likelihood at each sample of the test records, the models with these noises. `None` where the refitted model cannot be
+/// followed.
+pub fn gains(
+    before: &Fitted,
+    prepared: &Prepared,
+    noise_before: &Noise,
+    tried: &Tried,
+    noise: &Noise,
+    held: &[Track],
+) -> Result<Option<Vec<f64>>, DiagnoseError> {
+    let old = likelihoods(prepared, before, noise_before, held)?;
+    let new = likelihoods(&tried.prepared, &tried.fitted, noise, held)?;
+    let mut gains = Vec::new();
+    for (old, new) in old.iter().zip(&new) {
+        match (old, new) {
+            (Some(old), Some(new)) => gains.extend(old.iter().zip(new).map(|(o, n)| n - o)),
+            (_, None) => return Ok(None),
+            (None, Some(_)) => {}
+        }
+    }
+    Ok(Some(gains))
 }
 
 /// p-value of equal sizes in all records; `None` for one record.

@@ -98,8 +98,9 @@ pub fn refit(
     Ok((prepared, Fitted { found, names }))
 }
 
-/// Likelihood of test records, by sample; each begins as its first samples say.
-pub fn likelihoods(prepared: &Prepared, fitted: &Fitted, tracks: &[Track]) -> Result<Vec<Option<Vec<f64>>>, FitError> {
+/// Likelihood of test records, by sample, with the sizes of `noise`; each record begins as its first samples say.
+pub fn likelihoods(prepared: &Prepared, fitted: &Fitted, noise: &Noise, tracks: &[Track]) -> Result<Vec<Option<Vec<f64>>>, FitError> {
     let p = fitted.mean();
-    tracks.iter().map(|track| likelihood(&prepared.model, &p, track, &fitted.found.noise)).collect()
+    let noise = Noise { entries: prepared.entries.clone(), ..noise.clone() };
+    tracks.iter().map(|track| likelihood(&prepared.model, &p, track, &noise)).collect()
 }

@@ -132,6 +132,41 @@ pub struct Scales {
     pub duration: f64,
 }
 
+/// Ids of all effects, whether or not a rig has a place for them.
+pub const IDS: [&str; 31] = [
+    "viscous",
+    "coulomb",
+    "stribeck",
+    "asymmetric_friction",
+    "quadratic_drag",
+    "spring",
+    "cubic_spring",
+    "constant_torque",
+    "hard_stop",
+    "periodic_torque",
+    "velocity_product",
+    "actuator_bias",
+    "actuator_gain",
+    "gain_curvature",
+    "actuator_drift",
+    "actuator_deadzone",
+    "actuator_saturation",
+    "start_transient",
+    "input_delay",
+    "actuator_lag",
+    "input_coupling",
+    "rotor_gyroscopic",
+    "sensor_bias",
+    "sensor_scale",
+    "sensor_delay",
+    "sensor_drift",
+    "sensor_misalignment",
+    "gravity_offset",
+    "added_mass",
+    "base_tilt",
+    "neglected_inertia",
+];
+
 /// All effects at all places of a rig.
 #[must_use]
 pub fn catalogue(rig: &Rig, scales: &Scales) -> Vec<Effect> {

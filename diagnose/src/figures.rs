@@ -7,11 +7,32 @@ use ident::record::Record;
 use runtime::Model;
 use sim::Hold;
 
+/// How runs are compared with records.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// What logged inputs do between samples.
+    pub hold: Hold,
+    /// Predict so many seconds ahead instead of running freely [s].
+    pub horizon: Option<f64>,
+}
+
+/// Seconds ahead where a free run says nothing.
+const AHEAD: f64 = 1.0;
+/// A free run that follows a signal less than this says nothing of what is missing [percent].
+const FOLLOWS: f64 = 30.0;
+
+/// Free runs, unless the refitted base drifts off in one: an axis that integrates has no free run that says anything of its forces.
+#[must_use]
+pub fn view(free: &Figures, hold: Hold) -> View {
+    let lost = free.train.iter().chain(&free.test).any(|f| f.horizon.is_none() && f.fit_percent.is_some_and(|p| p < FOLLOWS));
+    View { hold, horizon: lost.then_some(AHEAD) }
+}
+
 /// Figures of a model with parameters of its training records, and `p` for the test records.
 #[must_use]
-pub fn figures(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Record], test: &[Record], hold: Hold) -> Figures {
+pub fn figures(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Record], test: &[Record], view: View) -> Figures {
     let of = |record: &Record, p: &[f64]| -> Vec<Figure> {
-        let options = CompareOptions { hold, ..CompareOptions::default() };
+        let options = CompareOptions { hold: view.hold, horizon: view.horizon, ..CompareOptions::default() };
         let Ok(found) = compare(model, p, record, &options) else { return Vec::new() };
         let horizon = found.horizon();
         found

@@ -2,6 +2,7 @@
 
 use crate::model::Prepared;
 use ident::innovations::Track;
+use ident::record::Record;
 use runtime::Model;
 
 /// Fewest samples of a record.
@@ -64,4 +65,53 @@ fn outliers(values: &[f64], quantum: f64) -> Vec<usize> {
     sizes.sort_by(f64::total_cmp);
     let scale = (1.4826 * sizes[sizes.len() / 2]).max(sizes[sizes.len() * 9 / 10] / 1.645).max(0.6 * quantum);
     all.iter().enumerate().filter(|(_, v)| v.abs() > OUTLIER * scale.max(f64::MIN_POSITIVE)).map(|(k, _)| k + 2).collect()
+}
+
+/// Fewest samples a second that are kept.
+const RATE: f64 = 100.0;
+/// Samples that the fastest mode of the model keeps in each of its periods.
+const PER_PERIOD: f64 = 30.0;
+
+/// How many samples are averaged into one: filters look one sample ahead, and a record at 1 kHz would ask them about vibrations that no rigid
+/// body has. Inputs and outputs are averaged alike, so that what relates them stays.
+pub fn stride(prepared: &Prepared, p: &[f64], records: &[Record]) -> usize {
+    let period = records.iter().map(Record::period).fold(0.0, f64::max);
+    if period <= 0.0 {
+        return 1;
+    }
+    let d = prepared.model.dimensions();
+    let n = d.states();
+    let (mut dx, mut a, mut b) = (vec![0.0; n], vec![0.0; n * n], vec![0.0; n * d.signals()]);
+    let at_rest = prepared.model.linearize(0.0, &vec![0.0; n], &vec![0.0; d.signals()], p, &mut dx, &mut a, &mut b).is_ok();
+    let fastest = if at_rest {
+        let poles = nalgebra::DMatrix::from_row_slice(n, n, &a).complex_eigenvalues();
+        poles.iter().map(|p| p.im.abs()).fold(0.0, f64::max) / std::f64::consts::TAU
+    } else {
+        0.0
+    };
+    let wanted = RATE.max(PER_PERIOD * fastest);
+    ((1.0 / (period * wanted) + 1e-6).floor() as usize).max(1)
+}
+
+/// A record with blocks of `count` samples averaged; `wrapped` columns are angles modulo one turn.
+pub fn averaged(record: &Record, count: usize, wrapped: &[String]) -> Record {
+    if count < 2 {
+        return record.clone();
+    }
+    let blocks = |values: &[f64], turn: Option<f64>| -> Vec<f64> {
+        values
+            .chunks_exact(count)
+            .map(|block| {
+                let near = |v: f64| turn.map_or(v, |turn| v - turn * ((v - block[0]) / turn).round());
+                block.iter().map(|v| near(*v)).sum::<f64>() / count as f64
+            })
+            .collect()
+    };
+    let mut out = record.clone();
+    out.t = blocks(&record.t, None);
+    for column in &mut out.columns {
+        let turn = wrapped.contains(&column.name).then_some(std::f64::consts::TAU);
+        column.values = blocks(&column.values, turn);
+    }
+    out
 }

@@ -28,7 +28,7 @@ pub enum Seen<'a> {
     /// An effect of the catalogue: by parameters of the screening model, or as its signature says.
     Effect(&'a Effect, Vec<usize>),
     /// The way to another model.
-    Towards(&'a Effect, &'a dyn Model),
+    Towards(&'a dyn Model),
     /// A force of some shape on an equation, that no effect of the catalogue needs to have.
     Shape(Vec<(usize, Box<Shape>)>, String),
 }
@@ -56,15 +56,6 @@ pub struct Score {
     pub direction: Vec<f32>,
 }
 
-/// All scores and the family's threshold.
-pub struct Screened {
-    /// One entry for each candidate.
-    pub scores: Vec<Score>,
-    /// Single p-value below which the family speaks.
-    pub threshold: f64,
-    /// Whitened innovations that were used.
-    pub samples: usize,
-}
 
 /// How a screening is made.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +66,7 @@ pub struct ScreenOptions {
     pub seed: u64,
 }
 
-/// Scores all candidates at the fitted parameters `p` of each record.
+/// Scores all candidates, one entry for each, at the fitted parameters `p` of each record.
 ///
 /// # Errors
 /// [`FitError`] where a record cannot be followed.
@@ -86,7 +77,7 @@ pub fn screen(
     tracks: &[Track],
     candidates: &[Seen<'_>],
     options: ScreenOptions,
-) -> Result<Screened, FitError> {
+) -> Result<Vec<Score>, FitError> {
     let (model, specs): (&dyn Model, _) = (&prepared.model, &prepared.specs);
     let fitted: Vec<usize> = specs.iter().enumerate().filter(|(_, s)| s.free).map(|(i, _)| i).collect();
     let mut columns: Vec<Column<'_>> = fitted.iter().map(|&i| Column::Parameter(i)).collect();
@@ -99,7 +90,7 @@ pub fn screen(
                 Signature::OutputDelay(i) => columns.push(Column::OutputDelay(i)),
                 Signature::Parameters | Signature::Towards => columns.extend(parameters.iter().map(|&i| Column::Parameter(i))),
             },
-            Seen::Towards(_, other) => columns.push(Column::Towards(*other)),
+            Seen::Towards(other) => columns.push(Column::Towards(*other)),
             Seen::Shape(shapes, _) => columns.extend(shapes.iter().map(|(entry, shape)| Column::Shaped(*entry, shape.as_ref()))),
         }
         own.push(from..columns.len());
@@ -187,9 +178,9 @@ pub fn screen(
         let below = least.partition_point(|p| *p <= score.p_single) as f64;
         // beyond the draws the bound of Bonferroni holds
         score.p_family = if below > 0.0 { below / least.len() as f64 } else { (eligible as f64 * score.p_single).min(1.0 / least.len() as f64) };
-        score.minimal_detectable = (0..test.range.len()).map(|k| reach / test.information(k).sqrt()).collect();
+        score.minimal_detectable = (0..test.range.len()).map(|k| reach / test.information(k, &whole).sqrt()).collect();
     }
-    Ok(Screened { scores, threshold, samples })
+    Ok(scores)
 }
 
 fn passes(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &Noise, columns: &[Column<'_>]) -> Result<Vec<Pass>, FitError> {
@@ -279,9 +270,10 @@ impl Test {
         (b.transpose() * &self.inverse * b)[(0, 0)].max(0.0)
     }
 
-    /// Information about parameter k, the others of the effect being known.
-    fn information(&self, k: usize) -> f64 {
-        self.normal[(k, k)].max(1e-300)
+    /// Information about parameter k, the others of the effect being known; nothing where the fitted parameters have it all.
+    fn information(&self, k: usize, whole: &[f64]) -> f64 {
+        let own = self.normal[(k, k)];
+        if own > 1e-6 * whole[self.range.start + k] { own } else { 0.0 }
     }
 }
 
@@ -291,8 +283,6 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
     let mut b = DVector::<f64>::zeros(k);
     let mut b_of = vec![DVector::<f64>::zeros(k); records];
     let mut normal_of = vec![DMatrix::<f64>::zeros(k, k); records];
-    // scores summed over the outputs of one sample
-    let mut moments: Vec<(usize, usize, DVector<f64>)> = Vec::new();
     for s in 0..z.len() {
         let r = row(s);
         let product = DVector::from_fn(k, |i, _| r[i] * z[s]);
@@ -302,14 +292,21 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
             }
         }
         b_of[record[s]] += &product;
-        match moments.last_mut() {
-            Some((at, of, sum)) if *at == time[s] && *of == record[s] => *sum += &product,
-            _ => moments.push((time[s], record[s], product.clone())),
-        }
         b += product;
     }
     let mut statistic = test.statistic(&b);
-    // the record's own variance of the scores
+    let estimate = &test.inverse * &b;
+    // the record's own variance of the scores: of what is left with the effect, summed over the outputs of one sample
+    let mut moments: Vec<(usize, usize, DVector<f64>)> = Vec::new();
+    for s in 0..z.len() {
+        let r = row(s);
+        let left = z[s] - r.iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>();
+        let product = DVector::from_fn(k, |i, _| r[i] * left);
+        match moments.last_mut() {
+            Some((at, of, sum)) if *at == time[s] && *of == record[s] => *sum += &product,
+            _ => moments.push((time[s], record[s], product)),
+        }
+    }
     let mut meat = DMatrix::<f64>::zeros(k, k);
     for lag in 0..=LAGS.min(moments.len().saturating_sub(1)) {
         let weight = if lag == 0 { 0.5 } else { 1.0 - lag as f64 / (LAGS as f64 + 1.0) };
@@ -319,7 +316,6 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
             }
         }
     }
-    let estimate = &test.inverse * &b;
     let meat_of = (estimate.transpose() * &meat * &estimate)[(0, 0)];
     let model_of = (estimate.transpose() * &test.normal * &estimate)[(0, 0)];
     if meat_of > model_of && model_of > 0.0 {

@@ -4,17 +4,18 @@
 
 use crate::accept::{Tried, judge};
 use crate::answer::{Candidate, Diagnosis, EffectValue, Figures, Finding, Moved, Verdict};
-use crate::base_fit::{Fitted, fit_base, refit};
-use crate::effects::{Effect, Scales, Signature, catalogue};
-use crate::figures::{figures, shrink};
+use crate::chance::beyond;
+use crate::base_fit::{Fitted, fit_base, likelihoods, refit};
+use crate::effects::{Effect, IDS, Scales, Signature, catalogue};
+use crate::figures::{View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Included, Prepared, prepare};
 use crate::patch::{Base, PatchError, Written, check, compose, digits};
-use crate::quality::look;
-use crate::screen::{SAME, ScreenOptions, Score, Screened, Seen, UNIQUE, cosine, screen};
+use crate::quality::{averaged, look, stride};
+use crate::screen::{SAME, ScreenOptions, Score, Seen, UNIQUE, cosine, screen};
 use crate::shapes::unnamed;
 use ident::fit::{FitError, ParameterSpec};
-use ident::innovations::Track;
+use ident::innovations::{Noise, Track};
 use ident::record::Record;
 use runtime::Model;
 use sim::Hold;
@@ -149,8 +150,16 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
     let mut answer = empty();
     let plain = prepare(base, asked, &[], 0)?;
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
-    let bind = |records: &[Record]| records.iter().map(|r| Track::new(r, &plain.model, &p0, options.hold)).collect::<Result<Vec<_>, _>>();
+    let block = stride(&plain, &p0, train);
+    let wrapped: Vec<String> = base.rig.outputs.iter().filter(|o| o.encoder.as_ref().is_some_and(|e| e.wrapped)).map(|o| o.name.clone()).collect();
+    let hold = if block > 1 { Hold::First } else { options.hold };
+    let bind = |records: &[Record]| {
+        records.iter().map(|r| Track::new(&averaged(r, block, &wrapped), &plain.model, &p0, hold)).collect::<Result<Vec<_>, _>>()
+    };
     let (mut tracks, mut held) = (bind(train)?, bind(test)?);
+    if block > 1 {
+        tell(&format!("  blocks of {block} samples are averaged"));
+    }
 
     tell("looking at the records ..");
     answer.faults = look(&plain, &p0, &mut tracks, &mut held);
@@ -167,8 +176,13 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
 
     tell("fitting the base ..");
     let fitted = fit_base(&plain, train, &mut tracks, options)?;
-    answer.published = figures(&plain.model, &vec![p0.clone(); tracks.len()], &p0, train, test, options.hold);
-    answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, options.hold);
+    let mut seen = View { hold: options.hold, horizon: None };
+    answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
+    seen = view(&answer.before, options.hold);
+    if seen.horizon.is_some() {
+        answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
+    }
+    answer.published = figures(&plain.model, &vec![p0.clone(); tracks.len()], &p0, train, test, seen);
     answer.after = answer.before.clone();
     answer.noise = Some(fitted.found.noise.clone());
     tell("where do they disagree? ..");
@@ -192,17 +206,17 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
         let left: Vec<&Effect> = effects.iter().filter(|e| !current.has(e)).collect();
         let round = current.screen(base, asked, &left, &tracks, options)?;
         if current.accepted.is_empty() {
-            answer.candidates = listed(&left, &round.screened);
-            answer.screening_p = round.screened.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
+            answer.candidates = listed(&left, &round.scores);
+            answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
         }
         left_over = round.left_over.clone();
         if options.until == Step::Screen || current.accepted.len() >= options.most_effects {
             break;
         }
-        let chosen = current.try_best(base, asked, &left, &round, &mut tracks, options)?;
+        let chosen = current.try_best(base, asked, &left, &round, &mut tracks, &held, options)?;
         let mut accepted = None;
         for tried in chosen {
-            let verdict = judge(&current.fitted, &current.prepared, &tried, train, test, &held, &base_figures, options)?;
+            let verdict = judge(&current.fitted, &current.prepared, &tried, train, test, &held, &base_figures, seen, options)?;
             match verdict.refused {
                 None => {
                     accepted = Some((tried, verdict));
@@ -224,7 +238,7 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
             shape: effect.shape.clone(),
             parameters: Vec::new(),
             equivalent: tried.equivalent.iter().map(|&i| (left[i].id.clone(), left[i].place.clone())).collect(),
-            p_value: round.screened.scores[tried.index].p_family,
+            p_value: round.scores[tried.index].p_family,
             heldout_gain: verdict.gain,
             per_record: tried.per_record,
         };
@@ -240,7 +254,7 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
                 fewer.remove(drop);
                 if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, &mut tracks, true) {
                     answer.findings.remove(drop);
-                    answer.after = figures(&prepared.model, &fitted.found.p, &fitted.mean(), train, test, options.hold);
+                    answer.after = figures(&prepared.model, &fitted.found.p, &fitted.mean(), train, test, seen);
                     current = State { prepared, fitted, accepted: fewer };
                 }
             }
@@ -273,6 +287,12 @@ fn empty() -> Diagnosis {
     }
 }
 
+/// Log-likelihood by which one effect must be ahead of another of its class, over all records, to be told from it (odds of 100 to 1).
+const SEPARATES: f64 = 4.6;
+
+/// Classes whose first member is refitted.
+const CLASSES: usize = 8;
+
 /// Where the search stands.
 struct State {
     prepared: Prepared,
@@ -282,7 +302,7 @@ struct State {
 
 /// A screening and what it is about.
 struct Round {
-    screened: Screened,
+    scores: Vec<Score>,
     /// A shape that no candidate of the catalogue has, if it is significant.
     left_over: Option<String>,
 }
@@ -319,14 +339,14 @@ impl State {
         let mut seen: Vec<Seen<'_>> = Vec::new();
         for (k, e) in left.iter().enumerate() {
             match (&other[k], e.signature) {
-                (Some(model), Signature::Towards) => seen.push(Seen::Towards(e, &model.model)),
+                (Some(model), Signature::Towards) => seen.push(Seen::Towards(&model.model)),
                 _ => seen.push(Seen::Effect(e, texts.of_effect[accepted + k].clone())),
             }
         }
         let count = seen.len();
         seen.extend(unnamed(&texts, &self.scales(tracks)));
-        let screened = screen(&texts, &p, &noise, tracks, &seen, ScreenOptions { family: options.family, seed: options.seed })?;
-        let left_over = screened.scores[count..]
+        let scores = screen(&texts, &p, &noise, tracks, &seen, ScreenOptions { family: options.family, seed: options.seed })?;
+        let left_over = scores[count..]
             .iter()
             .zip(&seen[count..])
             .filter(|(s, _)| s.p_family < 0.2 * options.family)
@@ -335,7 +355,7 @@ impl State {
                 Seen::Shape(_, words) => format!("{words} (score {:.1})", s.statistic.sqrt()),
                 _ => String::new(),
             });
-        Ok(Round { screened, left_over })
+        Ok(Round { scores, left_over })
     }
 
     fn scales(&self, tracks: &[Track]) -> Scales {
@@ -351,9 +371,10 @@ impl State {
         left: &[&Effect],
         round: &Round,
         tracks: &mut [Track],
+        held: &[Track],
         options: &Options<'_>,
     ) -> Result<Vec<Tried>, DiagnoseError> {
-        let scores = &round.screened.scores[..left.len()];
+        let scores = &round.scores[..left.len()];
         let speaks = |s: &Score| {
             let p = if options.method.family { s.p_family } else { s.p_single };
             p < options.family && (s.unique_fraction >= UNIQUE || !options.method.absorption)
@@ -362,19 +383,39 @@ impl State {
         // by what is gained over what is spent
         let worth = |s: &Score| s.statistic - 2.0 * s.degrees as f64;
         order.sort_by(|&a, &b| worth(&scores[b]).total_cmp(&worth(&scores[a])));
-        let Some(&first) = order.first() else { return Ok(Vec::new()) };
+        // dry friction that holds a rig still does not show at its null value: tried from a finite one
+        let level = self.fitted.found.noise.sd.clone();
+        let dry: Vec<usize> = (0..left.len()).filter(|&i| left[i].id == "coulomb" && !order.contains(&i)).collect();
         // the class of the best, then what else is significant and different
         let alike = |a: usize, b: usize| cosine(&scores[a], &scores[b]).abs() > SAME;
-        let mut few: Vec<usize> = order.iter().copied().filter(|&i| alike(i, first)).take(5).collect();
-        few.extend(order.iter().copied().filter(|&i| !alike(i, first)).take(3));
+        // the class of the best, and the first of every other class
+        let mut few: Vec<usize> = order.iter().copied().filter(|&i| order.first().is_some_and(|&first| alike(i, first))).take(3).collect();
+        let mut leaders: Vec<usize> = order.first().copied().into_iter().collect();
+        for &i in &order {
+            if leaders.len() < CLASSES && !leaders.iter().any(|&k| alike(i, k)) {
+                leaders.push(i);
+                few.push(i);
+            }
+        }
+        few.extend(&dry);
         let mut tried: Vec<Tried> = Vec::new();
         for index in few {
-            let start = scores[index].step.iter().map(|s| s.0).collect::<Vec<_>>();
+            let mut start = scores[index].step.iter().map(|s| s.0).collect::<Vec<_>>();
+            let finite = dry.contains(&index);
+            if finite {
+                let entry = self.prepared.coordinates.iter().position(|&c| base.rig.coordinates[c].name == left[index].place);
+                start = vec![entry.map_or(0.0, |k| level[k])];
+            }
             let mut included = self.accepted.clone();
             included.push(Included { effect: left[index].clone(), per_record: false, start: begin(left[index], &start, tracks) });
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
             let Ok((prepared, fitted)) = refit(base, asked, &included, &self.fitted, tracks, false) else { continue };
             let degrees = left[index].parameters.len();
+            // judged by its likelihood ratio, as one of the family
+            let ratio = 2.0 * (fitted.found.log_likelihood - self.fitted.found.log_likelihood);
+            if finite && beyond(ratio, degrees) * left.len() as f64 > options.family {
+                continue;
+            }
             tried.push(Tried {
                 index,
                 value: fitted.found.log_likelihood - degrees as f64,
@@ -394,8 +435,10 @@ impl State {
             t.equivalent = (0..left.len())
                 .filter(|&i| {
                     let same_name = left[i].id == left[t.index].id && left[i].place == left[t.index].place;
+                    // a shape with more parameters that has this one in it says nothing else
+                    let nested = left[i].parameters.len() > left[t.index].parameters.len();
                     let own = scores[i].unique_fraction >= UNIQUE;
-                    !same_name && own && alike(i, t.index) && !wrong_sign(left[i], &scores[i]) && fits(i)
+                    !same_name && !nested && own && alike(i, t.index) && !wrong_sign(left[i], &scores[i]) && fits(i)
                 })
                 .collect();
             t.equivalent.dedup_by(|a, b| left[*a].id == left[*b].id && left[*a].place == left[*b].place);
@@ -403,20 +446,59 @@ impl State {
         // one of each class goes on, refitted to the end
         let mut kept: Vec<Tried> = Vec::new();
         for t in tried {
-            if kept.iter().any(|k| alike(k.index, t.index)) {
-                continue;
+            if !kept.iter().any(|k| alike(k.index, t.index)) {
+                kept.push(t);
             }
-            kept.push(t);
         }
         kept.truncate(3);
         for t in &mut kept {
-            let (prepared, fitted) = match refit(base, asked, &t.included, &t.fitted, tracks, true) {
-                Ok(found) => found,
-                Err(_) => continue,
-            };
-            (t.prepared, t.fitted) = (prepared, fitted);
+            if let Ok((prepared, fitted)) = refit(base, asked, &t.included, &t.fitted, tracks, true) {
+                (t.prepared, t.fitted) = (prepared, fitted);
+            }
+            self.separate(base, asked, left, scores, t, tracks, held)?;
         }
         Ok(kept)
+    }
+
+    /// Drops from the class of `t` what its own noise, or the other records, can tell from it; puts the best in front.
+    #[allow(clippy::too_many_arguments)]
+    fn separate(
+        &self,
+        base: &Base,
+        asked: &[ParameterSpec],
+        left: &[&Effect],
+        scores: &[Score],
+        t: &mut Tried,
+        tracks: &mut [Track],
+        held: &[Track],
+    ) -> Result<(), DiagnoseError> {
+        let total = |tried: &Tried, noise: &Noise| -> Result<f64, DiagnoseError> {
+            let likelihoods = likelihoods(&tried.prepared, &tried.fitted, noise, held)?;
+            let of = |l: &Option<Vec<f64>>| l.as_ref().map_or(f64::NEG_INFINITY, |l| l.iter().sum());
+            Ok(tried.fitted.found.log_likelihood + likelihoods.iter().map(of).sum::<f64>())
+        };
+        let mut rivals = vec![(t.index, total(t, &t.fitted.found.noise)?)];
+        for i in std::mem::take(&mut t.equivalent) {
+            let step: Vec<f64> = scores[i].step.iter().map(|s| s.0).collect();
+            let mut included = self.accepted.clone();
+            included.push(Included { effect: left[i].clone(), per_record: false, start: begin(left[i], &step, tracks) });
+            let Ok((prepared, fitted)) = refit(base, asked, &included, &t.fitted, tracks, false) else { continue };
+            let rival = Tried { index: i, value: 0.0, included, prepared, fitted, equivalent: Vec::new(), per_record: false, by_record: scores[i].by_record.clone() };
+            let worth = total(&rival, &t.fitted.found.noise)?;
+            let best = rivals[0].1;
+            rivals.push((i, worth));
+            if worth > best + SEPARATES {
+                if let Ok((prepared, fitted)) = refit(base, asked, &rival.included, &rival.fitted, tracks, true) {
+                    *t = Tried { prepared, fitted, ..rival };
+                    rivals.swap_remove(0);
+                    rivals.insert(0, (i, total(t, &t.fitted.found.noise)?));
+                }
+            }
+        }
+        let best = rivals[0].1;
+        t.equivalent = rivals.into_iter().filter(|(i, v)| *i != t.index && *v > best - SEPARATES).map(|(i, _)| i).collect();
+        t.equivalent.dedup_by(|a, b| left[*a].id == left[*b].id && left[*a].place == left[*b].place);
+        Ok(())
     }
 
     /// An accepted effect whose parameters have become indistinguishable from zero.
@@ -498,10 +580,8 @@ fn chosen(base: &Base, scales: &Scales, options: &Options<'_>) -> Result<Vec<Eff
     let mut all = catalogue(&base.rig, scales);
     all.extend(options.own.iter().cloned());
     for name in &options.only {
-        if !all.iter().any(|e| e.id == *name) {
-            let mut known: Vec<String> = all.iter().map(|e| e.id.clone()).collect();
-            known.sort();
-            known.dedup();
+        let known: Vec<String> = IDS.iter().map(|s| (*s).to_owned()).chain(options.own.iter().map(|e| e.id.clone())).collect();
+        if !known.contains(name) {
             return Err(DiagnoseError::UnknownEffect { name: name.clone(), known });
         }
     }
@@ -512,13 +592,13 @@ fn chosen(base: &Base, scales: &Scales, options: &Options<'_>) -> Result<Vec<Eff
 }
 
 /// The candidates of the first screening, with their classes.
-fn listed(left: &[&Effect], screened: &Screened) -> Vec<Candidate> {
+fn listed(left: &[&Effect], scores: &[Score]) -> Vec<Candidate> {
     let mut classes: Vec<usize> = Vec::new();
     let mut class_of = vec![0; left.len()];
     let mut order: Vec<usize> = (0..left.len()).collect();
-    order.sort_by(|&a, &b| screened.scores[b].statistic.total_cmp(&screened.scores[a].statistic));
+    order.sort_by(|&a, &b| scores[b].statistic.total_cmp(&scores[a].statistic));
     for &i in &order {
-        let found = classes.iter().position(|&k| cosine(&screened.scores[k], &screened.scores[i]).abs() > SAME);
+        let found = classes.iter().position(|&k| cosine(&scores[k], &scores[i]).abs() > SAME);
         class_of[i] = found.unwrap_or_else(|| {
             classes.push(i);
             classes.len() - 1
@@ -527,7 +607,7 @@ fn listed(left: &[&Effect], screened: &Screened) -> Vec<Candidate> {
     order
         .into_iter()
         .map(|i| {
-            let (e, s) = (left[i], &screened.scores[i]);
+            let (e, s) = (left[i], &scores[i]);
             let status = if s.degrees == 0 || s.unique_fraction < UNIQUE { "not identifiable" } else if s.p_family < 0.05 { "significant" } else { "quiet" };
             Candidate {
                 effect: e.id.clone(),

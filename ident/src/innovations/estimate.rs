@@ -161,6 +161,10 @@ pub fn estimate(
         }
     }
     let mut p = start.to_vec();
+    // tracks may come from a model with other states
+    for (track, p) in tracks.iter_mut().zip(&p) {
+        track.begin(model, p);
+    }
     let mut noise = noise;
     let mut value = f64::NEG_INFINITY;
     for round in 0..options.rounds.max(1) {
@@ -241,7 +245,9 @@ fn inverse(normal: &DMatrix<f64>) -> DMatrix<f64> {
 /// # Errors
 /// As [`super::pass`].
 pub fn likelihood(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise) -> Result<Option<Vec<f64>>, FitError> {
-    let Some(pass) = run(model, p, track, noise, &[], &Filtering::Riccati, &mut |_| {})? else { return Ok(None) };
+    let mut track = track.clone();
+    track.begin(model, p);
+    let Some(pass) = run(model, p, &track, noise, &[], &Filtering::Riccati, &mut |_| {})? else { return Ok(None) };
     let mut by_sample = vec![0.0; track.times().len()];
     for (i, (&(k, _), z)) in pass.at.iter().zip(&pass.z).enumerate() {
         by_sample[k] -= 0.5 * z * z + pass.gains.sd[i].ln();

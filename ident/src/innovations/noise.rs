@@ -87,18 +87,13 @@ pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noi
         // the noise of a rig does not need all samples to be known
         let samples = track.times().len();
         let wanted = (MOST_SAMPLES / tracks.len()).max(400);
-        if samples <= wanted {
-            parts.push(track.clone());
+        // windows spread over the record, an even number for two cores
+        let windows = (wanted / 500).clamp(1, 2) * 2;
+        let length = wanted.min(samples) / windows;
+        for w in 0..windows {
+            let at = (samples - length) * (2 * w + 1) / (2 * windows);
+            parts.push(track.part(at, at + length, model, p));
             values.push(p.clone());
-        } else {
-            // windows spread over the record
-            let windows = (wanted / 500).clamp(1, 4);
-            let length = wanted / windows;
-            for w in 0..windows {
-                let at = (samples - length) * (2 * w + 1) / (2 * windows);
-                parts.push(track.part(at, at + length, model, p));
-                values.push(p.clone());
-            }
         }
     }
     let period = tracks.iter().map(|t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64).fold(f64::INFINITY, f64::min);
