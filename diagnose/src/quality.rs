@@ -1,7 +1,8 @@
 //! Whether records can be used at all, and samples that are taken out of use.
 
 use crate::model::Prepared;
-use ident::innovations::Track;
+use ident::fit::FitError;
+use ident::innovations::{Noise, Track, likelihood};
 use ident::record::Record;
 use runtime::Model;
 
@@ -47,6 +48,33 @@ pub fn look(prepared: &Prepared, p: &[f64], train: &mut [Track], test: &mut [Tra
         }
     }
     faults
+}
+
+/// Log-likelihood that the inputs of a record must be worth, for each parameter that could have been bent to them.
+const WORTH: f64 = 20.0;
+
+/// Records whose inputs explain nothing of their motion, though the fitted model has them act.
+///
+/// # Errors
+/// As the filter.
+pub fn strangers(prepared: &Prepared, p: &[Vec<f64>], noise: &Noise, tracks: &[Track]) -> Result<Vec<String>, FitError> {
+    let mut faults = Vec::new();
+    for (track, p) in tracks.iter().zip(p) {
+        let Some(still) = track.without_inputs(&prepared.model, p) else { continue };
+        let of = |track: &Track| likelihood(&prepared.model, p, track, noise).map(|l| l.map(|l| l.iter().sum::<f64>()));
+        let (with, without) = (of(track)?, of(&still)?);
+        if let (Some(with), Some(without)) = (with, without)
+            && with < without + WORTH
+        {
+            faults.push(format!(
+                "{}: the inputs explain nothing of the motion (log-likelihood {:.0} with them, {:.0} with their means): are they this record's own?",
+                track.source(),
+                with,
+                without
+            ));
+        }
+    }
+    Ok(faults)
 }
 
 /// Samples that leave the line between their neighbours by far more than the others do, and come back.

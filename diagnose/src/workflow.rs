@@ -11,7 +11,7 @@ use crate::figures::{View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Included, Prepared, prepare};
 use crate::patch::{Base, PatchError, Written, check, compose, digits};
-use crate::quality::{averaged, look, stride};
+use crate::quality::{averaged, look, strangers, stride};
 use crate::screen::{SAME, ScreenOptions, Score, Seen, UNIQUE, cosine, screen};
 use crate::shapes::unnamed;
 use ident::fit::{FitError, ParameterSpec};
@@ -176,6 +176,13 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
 
     tell("fitting the base ..");
     let fitted = fit_base(&plain, train, &mut tracks, options)?;
+    answer.faults = strangers(&plain, &fitted.found.p, &fitted.found.noise, &tracks)?;
+    if !answer.faults.is_empty() {
+        answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
+        answer.verdict = Verdict::BadData;
+        answer.seconds = began.elapsed().as_secs_f64();
+        return Ok(answer);
+    }
     let mut seen = View { hold: options.hold, horizon: None };
     answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
     seen = view(&answer.before, options.hold);

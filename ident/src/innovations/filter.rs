@@ -149,6 +149,21 @@ impl Track {
         part
     }
 
+    /// With all inputs at their means; `None` where they do not change.
+    #[must_use]
+    pub fn without_inputs(&self, model: &dyn Model, p: &[f64]) -> Option<Self> {
+        let all: Vec<Vec<f64>> = self.data.times.iter().map(|t| self.inputs(model, p, *t)).collect();
+        let inputs = model.dimensions().inputs;
+        let first = all.first()?;
+        if all.iter().all(|u| u[..inputs] == first[..inputs]) || first.len() > inputs {
+            return None;
+        }
+        let mean: Vec<f64> = (0..inputs).map(|j| all.iter().map(|u| u[j]).sum::<f64>() / all.len() as f64).collect();
+        let mut still = self.clone();
+        still.data.signals = sim::Signals::constant(&mean).ok()?;
+        Some(still)
+    }
+
     /// Inputs and exogenous signals at time t, within limits.
     #[must_use]
     pub fn inputs(&self, model: &dyn Model, p: &[f64], t: f64) -> Vec<f64> {
