@@ -38,6 +38,8 @@ pub enum Command {
     Lqr(Lqr),
     /// Simulate a rig under inputs from a record.
     Simulate(Simulate),
+    /// Simulate a rig under a sampled controller with encoders and limits, as a scenario file says.
+    ClosedLoop(ClosedLoop),
     /// Lay free runs of rigs over a measured record.
     Compare(Compare),
     /// Fit a rig's parameters to measured records.
@@ -193,6 +195,22 @@ pub struct Simulate {
     /// Show outputs as encoders do: in counts, and wrapped.
     #[arg(long)]
     pub encoders: bool,
+    /// Overwrite the output file.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig closed-loop`.
+#[derive(Args)]
+pub struct ClosedLoop {
+    /// The scenario (`.toml`).
+    pub scenario: PathBuf,
+    /// Where all signals go: a record with inputs, outputs as read, states, references.
+    #[arg(long, value_name = "CSV")]
+    pub out: PathBuf,
+    /// Another value for a key of the scenario, as TOML: `encoders=false`, `controller.integrate=["eps"]`.
+    #[arg(long = "with", value_name = "KEY=VALUE")]
+    pub with: Vec<String>,
     /// Overwrite the output file.
     #[arg(long)]
     pub force: bool,

@@ -14,9 +14,11 @@ mod lower;
 mod mechanics;
 mod operating;
 mod regressor;
+mod time_function;
 
 pub use derive::{DeriveError, Options, derive};
 pub use equations::{CrossCheck, Equations, Layout, Linear, OutputVariable, Variable};
 pub use lower::Lumps;
 pub use operating::{Direction, OperatingPoint, direction_by_name, operating_points};
 pub use regressor::{Column, Regressor, regressor};
+pub use time_function::TimeFunction;

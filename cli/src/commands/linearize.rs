@@ -77,8 +77,12 @@ pub fn at_point(
     directions: &DMatrix<f64>,
     friction_slope: bool,
 ) -> Result<Linearized, Failure> {
+    linear_at(model, operating::find(loaded, model, point)?, directions, friction_slope)
+}
+
+/// Linear model at a point that was found.
+pub fn linear_at(model: &InProcess, found: Found, directions: &DMatrix<f64>, friction_slope: bool) -> Result<Linearized, Failure> {
     let layout = &model.equations().layout;
-    let found = operating::find(loaded, model, point)?;
     let (x, u, p) = (&found.trim.x, &found.trim.u, &layout.nominal);
     let linear = |slope: bool| {
         control::linearize(model, p, x, directions, |dx, a, b| {
