@@ -277,6 +277,9 @@ pub struct Generate {
     /// Rig.
     #[command(flatten)]
     pub rig: File,
+    /// Write the controller of a scenario for this rig, beside the model.
+    #[arg(long, value_name = "SCENARIO")]
+    pub controller: Option<PathBuf>,
     /// Folder to write to.
     #[arg(long)]
     pub out: PathBuf,

@@ -20,8 +20,8 @@ pub trait Controller {
     fn command(&mut self, t: f64, y: &[f64], u: &mut [f64]) -> Result<(), String>;
     /// The inputs as limited (one for each input), told after every command: for anti-windup.
     fn applied(&mut self, u: &[f64]);
-    /// References of the outputs at the last command; `None` where there is none.
-    fn references(&self) -> &[Option<f64>];
+    /// References of the outputs at the last command, value and rate; `None` where there is none.
+    fn references(&self) -> &[Option<(f64, f64)>];
     /// Rates of the outputs as estimated at the last command; empty where the controller estimates none.
     fn rates(&self) -> &[f64] {
         &[]
@@ -95,8 +95,8 @@ pub struct Run {
     pub read: Vec<Vec<f64>>,
     /// Inputs as limited.
     pub u: Vec<Vec<f64>>,
-    /// References of the outputs.
-    pub references: Vec<Vec<Option<f64>>>,
+    /// References of the outputs, value and rate.
+    pub references: Vec<Vec<Option<(f64, f64)>>>,
     /// Rates of the outputs as the controller estimates them; empty where it does not.
     pub rates: Vec<Vec<f64>>,
     /// Share of samples at which each input was limited [%].
@@ -112,7 +112,7 @@ impl Run {
     pub fn errors(&self, output: usize, from: f64) -> Option<(f64, f64)> {
         let errors: Vec<f64> = (0..self.t.len())
             .filter(|&k| self.t[k] >= from)
-            .filter_map(|k| Some(self.y[k].get(output)? - (*self.references[k].get(output)?)?))
+            .filter_map(|k| Some(self.y[k].get(output)? - (*self.references[k].get(output)?)?.0))
             .collect();
         let n = errors.len() as f64;
         (n > 0.0).then(|| (errors.iter().map(|e| e.abs()).sum::<f64>() / n, (errors.iter().map(|e| e * e).sum::<f64>() / n).sqrt()))

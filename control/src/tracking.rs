@@ -180,7 +180,7 @@ pub struct Tracking<'a> {
     /// For each output, the states of the Kalman filter that are its value and its rate.
     estimated: Vec<(Option<usize>, Option<usize>)>,
     period: f64,
-    references: Vec<Option<f64>>,
+    references: Vec<Option<(f64, f64)>>,
     rates: Vec<f64>,
     asked: DVector<f64>,
     errors: Vec<f64>,
@@ -339,7 +339,7 @@ impl Controller for Tracking<'_> {
         self.asked = DVector::from_vec(base) - &self.directions * (&self.gain * deviation);
         u.iter_mut().zip(self.asked.iter()).for_each(|(u, asked)| *u = *asked);
         self.errors = (0..y.len()).map(error).collect();
-        self.references = wanted.iter().zip(&self.zeros).map(|(w, zero)| w.map(|(value, _)| value + zero)).collect();
+        self.references = wanted.iter().zip(&self.zeros).map(|(w, zero)| w.map(|(value, rate)| (value + zero, rate))).collect();
         self.rates = measured.iter().map(|m| m.1).collect();
         Ok(())
     }
@@ -360,7 +360,7 @@ impl Controller for Tracking<'_> {
         }
     }
 
-    fn references(&self) -> &[Option<f64>] {
+    fn references(&self) -> &[Option<(f64, f64)>] {
         &self.references
     }
 

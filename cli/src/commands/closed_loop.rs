@@ -129,7 +129,7 @@ fn record(plant: &Machine, run: &Run, around: &Surroundings<'_>) -> String {
     head.extend(layout.outputs.iter().map(|o| o.name.clone()));
     head.extend(states.iter().map(|s| s.1.to_owned()));
     head.extend(layout.outputs.iter().map(|o| format!("{}.true", o.name)));
-    head.extend(referred.iter().map(|&i| format!("{}.reference", layout.outputs[i].name)));
+    head.extend(referred.iter().flat_map(|&i| [".reference", ".dot.reference"].map(|end| format!("{}{end}", layout.outputs[i].name))));
     if estimated {
         head.extend(layout.outputs.iter().map(|o| format!("{}.dot.estimate", o.name)));
     }
@@ -141,7 +141,8 @@ fn record(plant: &Machine, run: &Run, around: &Surroundings<'_>) -> String {
         let _ = write!(csv, "{t}");
         let exogenous: Vec<f64> = around.exogenous.iter().map(|f| f(t)).collect();
         let disturbances: Vec<f64> = around.disturbances.iter().map(|(_, f)| f(t)).collect();
-        let references: Vec<f64> = referred.iter().map(|&i| run.references[k][i].unwrap_or(f64::NAN)).collect();
+        let references: Vec<f64> =
+            referred.iter().flat_map(|&i| run.references[k][i].map_or([f64::NAN; 2], |(value, rate)| [value, rate])).collect();
         let states: Vec<f64> = states.iter().map(|(i, _)| run.x[k][*i]).collect();
         let rates: &[f64] = if estimated { &run.rates[k] } else { &[] };
         for value in run.u[k]

@@ -8,9 +8,9 @@ use crate::scenario::file::{self, Cost, Rates};
 use crate::scenario::source::Wrong;
 use control::{
     AngleObserver, Cascade, DerivativeFilter, Estimation, Feedforward, Gain, Holding, InnerRate, KalmanEstimator, Lqr, LqrDesign, LqrError,
-    Operating, Plant, PlantModel, Reference, Rule, Sampling, Setup, Tracking, Weight, WeightError, Weighted,
+    Operating, Plant, PlantModel, Reference, Rule, Sampled, Sampling, Setup, Tracking, Weight, WeightError, Weighted,
 };
-use nalgebra::{Complex, DVector};
+use nalgebra::{Complex, DMatrix, DVector};
 use runtime::Model;
 use toml::Spanned;
 
@@ -24,6 +24,14 @@ pub struct Built<'a> {
     pub designed: Option<Lqr>,
     /// Where.
     pub found: Found,
+    /// Values and rates of outputs there.
+    pub operating: Operating,
+    /// How the signals move with the gain's inputs (signals x inputs).
+    pub directions: DMatrix<f64>,
+    /// From one angle to its rate; `None` for a Kalman filter.
+    pub rates: Option<Sampled>,
+    /// Period [s].
+    pub period: f64,
 }
 
 /// Builds the controller: designed on `design`, run on `plant`.
@@ -134,6 +142,11 @@ pub fn build<'a>(scenario: &'a Scenario, plant: &'a Machine, design: &'a Machine
     let point_inputs = &inputs.rows * DVector::from_column_slice(u);
     let kalman_model = KalmanModel { linear: &linear.model, plant: &linear_plant, x, u: point_inputs.as_slice() };
     let estimation = estimation(scenario, plant, &kalman_model, &operating, period)?;
+    let rates = match &estimation {
+        Estimation::Kalman(_) => None,
+        other => Some(other.of_one_angle(period).map_err(|e| failed(scenario.file.rates.span(), e.to_string(), None))?),
+    };
+    let (directions, kept) = (inputs.directions.clone(), operating.clone());
     let setup = Setup {
         gain: gain.clone(),
         directions: inputs.directions,
@@ -162,11 +175,12 @@ pub fn build<'a>(scenario: &'a Scenario, plant: &'a Machine, design: &'a Machine
         };
         failed(span, e.to_string(), help)
     })?;
-    Ok(Built { tracking, gain, designed, found })
+    Ok(Built { tracking, gain, designed, found, operating: kept, directions, rates, period })
 }
 
-fn holding<'a>(scenario: &'a Scenario, design: &'a Machine, u: &[f64]) -> Result<Holding<'a>, Failure> {
-    let Some(keys) = &scenario.file.feedforward else { return Ok(Holding::Point(u.to_vec())) };
+/// The trim of the feedforward and the states that it holds; `None` where there is none.
+pub fn trim_manifold(scenario: &Scenario, design: &Machine) -> Result<Option<(Found, Vec<usize>)>, Failure> {
+    let Some(keys) = &scenario.file.feedforward else { return Ok(None) };
     let (table, keys) = (keys.span(), keys.get_ref());
     let found = scenario.point(design, keys.trim.as_ref(), &keys.at, &table)?;
     if found.as_given {
@@ -175,7 +189,7 @@ fn holding<'a>(scenario: &'a Scenario, design: &'a Machine, u: &[f64]) -> Result
             label: "here",
             help: Some("name a trim that solves for inputs, and hold nothing in `at` that it solves for".to_owned()),
         };
-        return Err(scenario.source.wrong(&table.clone(), wrong));
+        return Err(scenario.source.wrong(&table, wrong));
     }
     let states: Vec<String> = design.layout().x().map(|v| v.name.clone()).collect();
     let held = keys.hold.iter().map(|name| scenario.index("state", name, &states)).collect::<Result<Vec<_>, _>>()?;
@@ -184,13 +198,20 @@ fn holding<'a>(scenario: &'a Scenario, design: &'a Machine, u: &[f64]) -> Result
         let message = format!("`{}` is what this trim solves for: it cannot be held at its reference", name.get_ref());
         return Err(scenario.source.wrong(&name.span(), Wrong { message, label: "solved for", help: None }));
     }
-    let names = keys.hold.iter().map(|s| s.get_ref().clone()).collect();
+    Ok(Some((found, held)))
+}
+
+fn holding<'a>(scenario: &'a Scenario, design: &'a Machine, u: &[f64]) -> Result<Holding<'a>, Failure> {
+    let (Some(keys), Some((found, held))) = (&scenario.file.feedforward, trim_manifold(scenario, design)?) else {
+        return Ok(Holding::Point(u.to_vec()));
+    };
+    let names = keys.get_ref().hold.iter().map(|s| s.get_ref().clone()).collect();
     let feedforward = Feedforward::new(&design.model, design.p(), found.problem, held)
-        .map_err(|e| scenario.source.wrong(&table.clone(), Wrong { message: e.to_string(), label: "here", help: None }))?;
+        .map_err(|e| scenario.source.wrong(&keys.span(), Wrong { message: e.to_string(), label: "here", help: None }))?;
     Ok(Holding::Manifold(feedforward, names))
 }
 
-fn filter(scenario: &Scenario, keys: &file::Filter) -> Result<DerivativeFilter, Failure> {
+pub fn filter(scenario: &Scenario, keys: &file::Filter) -> Result<DerivativeFilter, Failure> {
     Ok(DerivativeFilter { omega: scenario.quantity(&keys.omega, &unit("rad/s"))?, damping: keys.damping })
 }
 
@@ -316,7 +337,7 @@ fn estimation(
                 .iter()
                 .map(|o| known.reading(&o.name).map_err(|e| wrong(e.to_string(), None)))
                 .collect::<Result<Vec<_>, _>>()?;
-            known.c = nalgebra::DMatrix::from_fn(rows.len(), known.states.len(), |i, j| rows[i][(0, j)]);
+            known.c = DMatrix::from_fn(rows.len(), known.states.len(), |i, j| rows[i][(0, j)]);
             known.outputs = layout.outputs.iter().map(|o| o.name.clone()).collect();
             let y: Vec<f64> = operating.outputs.iter().zip(&operating.zeros).map(|(o, zero)| o.0 + zero).collect();
             let model = PlantModel { linear: model.linear, plant: &known, x: model.x, u: model.u, y: &y };
