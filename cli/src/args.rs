@@ -119,6 +119,12 @@ pub struct Linearize {
     /// Keep the slope of regularized Coulomb friction.
     #[arg(long)]
     pub friction_slope: bool,
+    /// Write A, B, C, D and the operating point for MATLAB, Octave or SciPy.
+    #[arg(long, value_name = "FILE.mat|FILE.m")]
+    pub export: Option<PathBuf>,
+    /// Overwrite a file that is not ours.
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// What a logged input does between its samples.
@@ -163,15 +169,30 @@ pub struct Lqr {
     /// Diagonal of R: one weight for each input.
     #[arg(long, value_delimiter = ',', value_name = "R1,R2", required = true, allow_hyphen_values = true)]
     pub weights_u: Vec<f64>,
-    /// Sampled controller with this period [s].
+    /// Sampled controller with this period: `0.005`, `5ms`.
     #[arg(long, value_name = "DT")]
-    pub discrete: Option<f64>,
+    pub discrete: Option<String>,
     /// With --discrete: minimize the sum over the samples (as `dlqr`) instead of the integral (as `lqrd`).
     #[arg(long, requires = "discrete")]
     pub sum: bool,
+    /// A gain at each of a series of points: `name=a:b:n`.
+    #[arg(long, value_name = "NAME=A:B:N", allow_hyphen_values = true)]
+    pub sweep: Option<String>,
     /// Keep the slope of regularized Coulomb friction.
     #[arg(long)]
     pub friction_slope: bool,
+    /// Write A, B, C, D, K and the operating point for MATLAB, Octave or SciPy.
+    #[arg(long, value_name = "FILE.mat|FILE.m")]
+    pub export: Option<PathBuf>,
+    /// Write u = u* - K (x - x*) as code to this folder; over a sweep with interpolated gains.
+    #[arg(long, value_name = "DIR")]
+    pub generate: Option<PathBuf>,
+    /// Language of that.
+    #[arg(long, value_enum, default_value = "rust")]
+    pub lang: Language,
+    /// Overwrite files that are not ours.
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// `rig simulate`.

@@ -8,6 +8,8 @@ mod operating;
 mod output;
 mod point;
 mod scenario;
+mod sweep;
+mod workspace;
 mod write;
 
 use clap::Parser;

@@ -70,7 +70,9 @@ fn header(c: &Controller, names: &Identifiers, prefix: &str) -> String {
     let _ = writeln!(out, "}};\n\n/* What the controller remembers. */\nstruct {prefix}_memory {{");
     let order = c.filter.b.len();
     for (i, name) in names.channels.iter().enumerate() {
-        let _ = writeln!(out, "    double rate_{name}[{order}];");
+        if c.needs_rate(i) {
+            let _ = writeln!(out, "    double rate_{name}[{order}];");
+        }
         if c.channels[i].wrapped {
             let _ = writeln!(out, "    double last_{name};");
         }
@@ -216,25 +218,30 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers, prefix: &str) {
             format!("reading->{name}")
         };
         let zero = if channel.zero == 0.0 { String::new() } else { format!(" - {}", number(channel.zero)).replace("- -", "+ ") };
-        let _ = writeln!(
-            out,
-            "    if (!memory->started) {{\n        settle(RATE_START, {order}, memory->rate_{name}, {read});\n    }}\n    const double {name} = {read}{zero};\n    const double {name}_rate = filtered(RATE_A, RATE_B, RATE_C, RATE_D, {order}, memory->rate_{name}, {read});"
-        );
+        let _ = writeln!(out, "    const double {name} = {read}{zero};");
+        if c.needs_rate(i) {
+            let _ = writeln!(
+                out,
+                "    if (!memory->started) {{\n        settle(RATE_START, {order}, memory->rate_{name}, {read});\n    }}\n    const double {name}_rate = filtered(RATE_A, RATE_B, RATE_C, RATE_D, {order}, memory->rate_{name}, {read});"
+            );
+        }
     }
     out.push_str("    /* where to */\n");
-    for i in c.ordered() {
+    for i in c.ordered().into_iter().filter(|&i| c.needs_target(i)) {
         let name = &names.channels[i];
         match c.reference(i) {
             None => {
                 let (value, rate) = c.channels[i].operating;
-                let _ =
-                    writeln!(out, "    const double to_{name} = {};\n    const double to_{name}_rate = {};", number(value), number(rate));
+                let _ = writeln!(out, "    const double to_{name} = {};", number(value));
+                if c.needs_rate(i) {
+                    let _ = writeln!(out, "    const double to_{name}_rate = {};", number(rate));
+                }
             }
             Some(Source::Given) => {
-                let _ = writeln!(
-                    out,
-                    "    const double to_{name} = reference->{name}.value;\n    const double to_{name}_rate = reference->{name}.rate;"
-                );
+                let _ = writeln!(out, "    const double to_{name} = reference->{name}.value;");
+                if c.needs_rate(i) {
+                    let _ = writeln!(out, "    const double to_{name}_rate = reference->{name}.rate;");
+                }
             }
             Some(Source::Inner { outer, proportional, derivative, limit, rate }) => {
                 let outer = &names.channels[*outer];
@@ -246,6 +253,7 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers, prefix: &str) {
                 let limited = if limit.is_finite() { format!("fmin(fmax({law}, -{0}), {0})", number(*limit)) } else { law };
                 let _ = writeln!(out, "    const double to_{name} = {limited};");
                 match rate {
+                    _ if !c.needs_rate(i) => {}
                     Some(f) => {
                         let order = f.b.len();
                         let r = format!("RATE_OF_REFERENCE_{i}");

@@ -5,12 +5,14 @@
 
 mod c;
 mod rust;
+mod schedule;
 
 use crate::emit::names::{Language, Names};
 use crate::manifold::Manifold;
 
 pub use c::{ControllerC, controller_c};
 pub use rust::controller_rust;
+pub use schedule::{Schedule, schedule_c, schedule_rust};
 
 /// A sampled controller: u = u* - K (x - x*), limited.
 #[derive(Clone, Debug)]
@@ -159,6 +161,22 @@ impl Controller {
         let inner = |i: &usize| matches!(self.reference(*i), Some(Source::Inner { .. }));
         let all = || 0..self.channels.len();
         all().filter(|i| !inner(i)).chain(all().filter(inner)).collect()
+    }
+
+    /// Something asks for the rate of this channel.
+    fn needs_rate(&self, channel: usize) -> bool {
+        self.columns.contains(&Column::Rate(channel)) || self.is_outer(channel)
+    }
+
+    /// Something asks where this channel is to be.
+    fn needs_target(&self, channel: usize) -> bool {
+        let held = matches!(&self.feedforward, Feedforward::Manifold(_, held) if held.contains(&channel));
+        let column = |c: &Column| matches!(*c, Column::Value(i) | Column::Rate(i) | Column::Integral(i) if i == channel);
+        self.columns.iter().any(column) || self.is_outer(channel) || (held && self.reference(channel).is_some())
+    }
+
+    fn is_outer(&self, channel: usize) -> bool {
+        self.references.iter().any(|(_, s)| matches!(s, Source::Inner { outer, .. } if *outer == channel))
     }
 
     fn integrals(&self) -> Vec<usize> {

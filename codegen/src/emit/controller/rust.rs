@@ -158,7 +158,9 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers) {
     let (integrals, given, m) = (c.integrals(), c.given(), c.signals.len());
     out.push_str("/// The controller, with what it remembers.\n#[derive(Clone, Debug, Default)]\npub struct Controller {\n");
     for (i, name) in names.channels.iter().enumerate() {
-        let _ = writeln!(out, "    rate_{name}: Option<[f64; {order}]>,");
+        if c.needs_rate(i) {
+            let _ = writeln!(out, "    rate_{name}: Option<[f64; {order}]>,");
+        }
         if c.channels[i].wrapped {
             let _ = writeln!(out, "    last_{name}: Option<f64>,");
         }
@@ -190,10 +192,11 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers) {
             format!("reading.{name}")
         };
         let zero = if channel.zero == 0.0 { String::new() } else { format!(" - {}", number(channel.zero)).replace("- -", "+ ") };
-        let _ = writeln!(out, "        let {name} = ({read}{zero}, RATE.next(&mut self.rate_{name}, {read}));");
+        let rate = if c.needs_rate(i) { format!("RATE.next(&mut self.rate_{name}, {read})") } else { "0.0".to_owned() };
+        let _ = writeln!(out, "        let {name} = ({read}{zero}, {rate});");
     }
     out.push_str("        // where to\n");
-    for i in c.ordered() {
+    for i in c.ordered().into_iter().filter(|&i| c.needs_target(i)) {
         let name = &names.channels[i];
         match c.reference(i) {
             None => {
