@@ -154,7 +154,10 @@ fn swept(sweep: &Sweep, inputs: &Inputs, designs: &[(Linearized, Lqr)], left_out
             .iter()
             .zip(designs)
             .map(|(value, (linear, found))| {
-                let at: f64 = inputs.rows.row(i).iter().zip(&linear.found.trim.u).map(|(r, u)| r * u).sum();
+                let terms = || inputs.rows.row(i).iter().zip(&linear.found.trim.u).map(|(r, u)| r * u).collect::<Vec<f64>>();
+                let (at, size) = (terms().iter().sum::<f64>(), terms().iter().fold(0.0_f64, |m, x| m.max(x.abs())));
+                // what cancels to rounding is nothing
+                let at = if at.abs() < 1e-12 * size { 0.0 } else { at };
                 let row = found.k.row(i).iter().copied().chain([at]).collect();
                 (format!("{} = {}", sweep.name, number(*value)), row)
             })

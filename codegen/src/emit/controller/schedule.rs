@@ -69,7 +69,8 @@ impl Schedule {
 fn lines(rows: &[Vec<f64>], open: &str, close: &str, indent: &str, remarks: &[String], mark: (&str, &str)) -> String {
     let mut out = String::new();
     for (row, remark) in rows.iter().zip(remarks) {
-        let _ = writeln!(out, "{indent}{open}{}{close}, {} {remark}{}", list(row), mark.0, mark.1);
+        let said = if remark.is_empty() { String::new() } else { format!(" {} {remark}{}", mark.0, mark.1) };
+        let _ = writeln!(out, "{indent}{open}{}{close},{said}", list(row));
     }
     out
 }
@@ -100,7 +101,8 @@ pub fn schedule_rust(s: &Schedule) -> String {
     }
     let _ = writeln!(out, "/// Gains, one row an input: {}.\npub const GAINS: [[[f64; {n}]; {m}]; {points}] = [", s.inputs.join(", "));
     for (k, remark) in s.k.iter().zip(&at) {
-        let _ = writeln!(out, "    [ // {remark}\n{}    ],", lines(k, "[", "]", "        ", &s.inputs, ("//", "")));
+        let said = if remark.is_empty() { String::new() } else { format!(" // {remark}") };
+        let _ = writeln!(out, "    [{said}\n{}    ],", lines(k, "[", "]", "        ", &s.inputs, ("//", "")));
     }
     out.push_str("];\n\n");
     let _ = writeln!(out, "/// States x* of the points: {}.\npub const STATES: [[f64; {n}]; {points}] = [", s.states.join(", "));
@@ -205,7 +207,7 @@ pub fn schedule_c(s: &Schedule) -> [(String, String); 2] {
     header.push_str("\n#endif\n");
 
     let at: Vec<String> =
-        s.grid.iter().map(|g| s.variable.as_ref().map_or_else(String::new, |(v, _)| format!("{v} = {} ", number(*g)))).collect();
+        s.grid.iter().map(|g| s.variable.as_ref().map_or_else(String::new, |(v, _)| format!("{v} = {}", number(*g)))).collect();
     let star = ("/*", " */");
     let mut out = format!("{about}#include \"{prefix}.h\"\n\n#include <math.h>\n\n");
     if s.variable.is_some() {
@@ -213,7 +215,8 @@ pub fn schedule_c(s: &Schedule) -> [(String, String); 2] {
     }
     let _ = writeln!(out, "static const double GAINS[{points}][{m}][{n}] = {{");
     for (k, remark) in s.k.iter().zip(&at) {
-        let _ = writeln!(out, "    {{ /* {remark}*/\n{}    }},", lines(k, "{", "}", "        ", &s.inputs, star));
+        let said = if remark.is_empty() { String::new() } else { format!(" /* {remark} */") };
+        let _ = writeln!(out, "    {{{said}\n{}    }},", lines(k, "{", "}", "        ", &s.inputs, star));
     }
     let _ = writeln!(out, "}};\n\nstatic const double STATES[{points}][{n}] = {{");
     out.push_str(&lines(&s.x, "{", "}", "    ", &at, star));
@@ -240,25 +243,34 @@ pub fn schedule_c(s: &Schedule) -> [(String, String); 2] {
              while (k + 2 < {points} && value >= GRID[k + 1]) {{\n        k++;\n    }}\n    \
              *share = fmin(fmax((value - GRID[k]) / (GRID[k + 1] - GRID[k]), 0.0), 1.0);\n    return k;\n}}\n"
         );
-        let body = |target: &str, table: &str, size: &str| {
+        let body = |target: &str, table: &str| {
             format!(
-                "{{\n    double share;\n    const int at = place({given}, &share);\n    const double *low = {table}[at]{size};\n    const double *high = {table}[at + 1]{size};\n    \
+                "{{\n    double share;\n    const int at = place({given}, &share);\n    const double *low = {table}[at];\n    const double *high = {table}[at + 1];\n    \
                  double *to = {target};\n"
             )
         };
         let run = |count: usize| {
             format!("    for (int i = 0; i < {count}; i++) {{\n        to[i] = (1.0 - share) * low[i] + share * high[i];\n    }}\n}}\n\n")
         };
-        let _ = write!(out, "{}\n{}{}", declare[0].0, body("k[0]", "GAINS", "[0]"), run(m * n));
-        let _ = write!(out, "{}\n{}{}", declare[1].0, body("x", "STATES", ""), run(n));
-        let _ = write!(out, "{}\n{}{}", declare[2].0, body("u", "INPUTS", ""), run(signals));
+        let _ = write!(
+            out,
+            "{}\n{{\n    double share;\n    const int at = place({given}, &share);\n    for (int i = 0; i < {m}; i++) {{\n        for (int j = 0; j < {n}; j++) {{\n            \
+             k[i][j] = (1.0 - share) * GAINS[at][i][j] + share * GAINS[at + 1][i][j];\n        }}\n    }}\n}}\n\n",
+            declare[0].0
+        );
+        let _ = write!(out, "{}\n{}{}", declare[1].0, body("x", "STATES"), run(n));
+        let _ = write!(out, "{}\n{}{}", declare[2].0, body("u", "INPUTS"), run(signals));
     } else {
         let copy = |target: &str, table: &str, count: usize| {
             format!(
                 "{{\n    const double *from = {table};\n    double *to = {target};\n    for (int i = 0; i < {count}; i++) {{\n        to[i] = from[i];\n    }}\n}}\n\n"
             )
         };
-        let _ = write!(out, "{}\n{}", declare[0].0, copy("k[0]", "GAINS[0][0]", m * n));
+        let _ = write!(
+            out,
+            "{}\n{{\n    for (int i = 0; i < {m}; i++) {{\n        for (int j = 0; j < {n}; j++) {{\n            k[i][j] = GAINS[0][i][j];\n        }}\n    }}\n}}\n\n",
+            declare[0].0
+        );
         let _ = write!(out, "{}\n{}", declare[1].0, copy("x", "STATES[0]", n));
         let _ = write!(out, "{}\n{}", declare[2].0, copy("u", "INPUTS[0]", signals));
     }
