@@ -89,12 +89,10 @@ fn tool(program: &str, folder: &Path, arguments: &[&str]) -> bool {
 
 fn c_program(case: &Case, readings: &[&str], references: &[&str], inputs: &[&str]) -> Option<PathBuf> {
     let mut reads = String::new();
-    let mut count = 0;
     let targets = references.iter().flat_map(|r| [format!("reference.{r}.value"), format!("reference.{r}.rate")]);
     let places: Vec<String> = readings.iter().map(|r| format!("reading.{r}")).chain(targets).collect();
-    for place in &places {
+    for (count, place) in places.iter().enumerate() {
         let _ = write!(reads, "{}scanf(\"%lf\", &{place}) == 1", if count == 0 { "" } else { " && " });
-        count += 1;
     }
     let prints: String = inputs.iter().map(|u| format!("        printf(\"%.17g\\n\", u.{u});\n")).collect();
     let main = format!(

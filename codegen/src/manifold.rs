@@ -129,9 +129,10 @@ pub fn manifold(e: &Equations, solved: &[Direction], zero: &[usize], held: &[usi
                 continue;
             }
             let factor = g.div(matrix[i][k], matrix[k][k]);
-            for j in k..=n {
-                let part = g.mul(factor, matrix[k][j]);
-                matrix[i][j] = g.sub(matrix[i][j], part);
+            let lead = matrix[k].clone();
+            for (entry, above) in matrix[i].iter_mut().zip(&lead).skip(k) {
+                let part = g.mul(factor, *above);
+                *entry = g.sub(*entry, part);
             }
         }
     }
