@@ -38,6 +38,8 @@ pub enum Command {
     Lqr(Lqr),
     /// Simulate a rig under inputs from a record.
     Simulate(Simulate),
+    /// Simulate a rig under a sampled controller with encoders and limits, as a scenario file says.
+    ClosedLoop(ClosedLoop),
     /// Lay free runs of rigs over a measured record.
     Compare(Compare),
     /// Fit a rig's parameters to measured records.
@@ -119,6 +121,12 @@ pub struct Linearize {
     /// Keep the slope of regularized Coulomb friction.
     #[arg(long)]
     pub friction_slope: bool,
+    /// Write A, B, C, D and the operating point for MATLAB, Octave or SciPy.
+    #[arg(long, value_name = "FILE.mat|FILE.m")]
+    pub export: Option<PathBuf>,
+    /// Overwrite a file that is not ours.
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// What a logged input does between its samples.
@@ -163,15 +171,30 @@ pub struct Lqr {
     /// Diagonal of R: one weight for each input.
     #[arg(long, value_delimiter = ',', value_name = "R1,R2", required = true, allow_hyphen_values = true)]
     pub weights_u: Vec<f64>,
-    /// Sampled controller with this period [s].
+    /// Sampled controller with this period: `0.005`, `5ms`.
     #[arg(long, value_name = "DT")]
-    pub discrete: Option<f64>,
+    pub discrete: Option<String>,
     /// With --discrete: minimize the sum over the samples (as `dlqr`) instead of the integral (as `lqrd`).
     #[arg(long, requires = "discrete")]
     pub sum: bool,
+    /// A gain at each of a series of points: `name=a:b:n`.
+    #[arg(long, value_name = "NAME=A:B:N", allow_hyphen_values = true)]
+    pub sweep: Option<String>,
     /// Keep the slope of regularized Coulomb friction.
     #[arg(long)]
     pub friction_slope: bool,
+    /// Write A, B, C, D, K and the operating point for MATLAB, Octave or SciPy.
+    #[arg(long, value_name = "FILE.mat|FILE.m")]
+    pub export: Option<PathBuf>,
+    /// Write u = u* - K (x - x*) as code to this folder; over a sweep with interpolated gains.
+    #[arg(long, value_name = "DIR")]
+    pub generate: Option<PathBuf>,
+    /// Language of that.
+    #[arg(long, value_enum, default_value = "rust")]
+    pub lang: Language,
+    /// Overwrite files that are not ours.
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// `rig simulate`.
@@ -195,6 +218,22 @@ pub struct Simulate {
     /// Show outputs as encoders do: in counts, and wrapped.
     #[arg(long)]
     pub encoders: bool,
+    /// Overwrite the output file.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig closed-loop`.
+#[derive(Args)]
+pub struct ClosedLoop {
+    /// The scenario (`.toml`).
+    pub scenario: PathBuf,
+    /// Where all signals go: a record with inputs, outputs as read, states, references.
+    #[arg(long, value_name = "CSV")]
+    pub out: PathBuf,
+    /// Another value for a key of the scenario, as TOML: `encoders=false`, `controller.integrate=["eps"]`.
+    #[arg(long = "with", value_name = "KEY=VALUE")]
+    pub with: Vec<String>,
     /// Overwrite the output file.
     #[arg(long)]
     pub force: bool,
@@ -261,6 +300,9 @@ pub struct Generate {
     /// Rig.
     #[command(flatten)]
     pub rig: File,
+    /// Write the controller of a scenario for this rig, beside the model.
+    #[arg(long, value_name = "SCENARIO")]
+    pub controller: Option<PathBuf>,
     /// Folder to write to.
     #[arg(long)]
     pub out: PathBuf,

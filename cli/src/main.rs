@@ -7,6 +7,9 @@ mod load;
 mod operating;
 mod output;
 mod point;
+mod scenario;
+mod sweep;
+mod workspace;
 mod write;
 
 use clap::Parser;

@@ -26,6 +26,8 @@ pub struct Found {
     pub steady: Vec<(usize, f64)>,
     /// Names of what was solved for.
     solved: Vec<String>,
+    /// What was solved; no unknowns where the point was taken as given.
+    pub problem: TrimProblem,
 }
 
 /// Finds the operating point of a rig.
@@ -66,7 +68,7 @@ pub fn find(loaded: &Loaded, model: &InProcess, point: &Point) -> Result<Found, 
     let cyclic = cyclic(model, layout, &trim)?;
     let steady = if as_given { Vec::new() } else { steady(model, layout, &problem, &trim, &cyclic) };
     let solved = if as_given { Vec::new() } else { solved.iter().map(|d| d.name.clone()).collect() };
-    Ok(Found { name: if as_given { None } else { name }, trim, as_given, cyclic, steady, solved })
+    Ok(Found { name: if as_given { None } else { name }, trim, as_given, cyclic, steady, solved, problem })
 }
 
 fn unknown_of(direction: &Direction) -> Unknown {

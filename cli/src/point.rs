@@ -24,7 +24,7 @@ impl Given {
                 return Err(unknown("coordinate, rate, actuator state or input", name, &names));
             };
             let unit = unit_of(rig, layout, &direction);
-            let value = model_dsl::parse_value(value, &unit).map_err(|e| Failure::new("C0102", format!("--at {text}: {e}")))?;
+            let value = model_dsl::parse_value(value, &unit).map_err(|e| Failure::new("C0102", format!("{text}: {e}")))?;
             let same_mix = |a: &str, b: &str| rig.mixes.iter().any(|m| m.names.iter().any(|n| n == a) && m.names.iter().any(|n| n == b));
             if let Some((before, _)) = entries.iter().find(|(d, _)| d.name == name || (d.overlaps(&direction) && !same_mix(&d.name, name)))
             {
@@ -51,7 +51,7 @@ impl Given {
 }
 
 /// Unit in which a bare number for this quantity is understood.
-fn unit_of(rig: &Rig, layout: &Layout, direction: &Direction) -> Unit {
+pub fn unit_of(rig: &Rig, layout: &Layout, direction: &Direction) -> Unit {
     let n = layout.q.len();
     if let Some(&(i, _)) = direction.states.first() {
         if i < n {

@@ -8,11 +8,16 @@ pub const MARK: &str = "Generated from `";
 
 /// Writes a file. What stands there is replaced only if it carries our mark, or is equal, or `force` is given.
 pub fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
-    if let Ok(old) = std::fs::read_to_string(path) {
-        if old == text {
+    write_bytes(path, text.as_bytes(), force)
+}
+
+/// The same for a file that is no text; its mark stands in the first of its bytes.
+pub fn write_bytes(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
+    if let Ok(old) = std::fs::read(path) {
+        if old == bytes {
             return Ok(());
         }
-        let ours = old.lines().take(8).any(|line| line.contains(MARK));
+        let ours = String::from_utf8_lossy(&old).lines().take(8).any(|line| line.contains(MARK));
         if !ours && !force {
             return Err(refuse(path));
         }
@@ -22,7 +27,7 @@ pub fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
     if let Some(parent) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent).map_err(|e| Failure::new("C0402", format!("cannot make the folder {}: {e}", parent.display())))?;
     }
-    std::fs::write(path, text).map_err(|e| Failure::new("C0402", format!("cannot write {}: {e}", path.display())))
+    std::fs::write(path, bytes).map_err(|e| Failure::new("C0402", format!("cannot write {}: {e}", path.display())))
 }
 
 fn refuse(path: &Path) -> Failure {

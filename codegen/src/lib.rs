@@ -11,12 +11,16 @@ pub mod emit;
 mod equations;
 pub mod expr;
 mod lower;
+mod manifold;
 mod mechanics;
 mod operating;
 mod regressor;
+mod time_function;
 
 pub use derive::{DeriveError, Options, derive};
 pub use equations::{CrossCheck, Equations, Layout, Linear, OutputVariable, Variable};
 pub use lower::Lumps;
+pub use manifold::{Manifold, NoManifold, manifold};
 pub use operating::{Direction, OperatingPoint, direction_by_name, operating_points};
 pub use regressor::{Column, Regressor, regressor};
+pub use time_function::TimeFunction;

@@ -1,8 +1,12 @@
 //! A closed loop as the rig runs it: encoders, a controller at its own rate, limits, delays, a plant between samples.
 //!
 //! Each period: outputs are read (delay, wrap, quantum), the controller answers, the command is limited and held; the
-//! plant is integrated from switch to switch of the (delayed) inputs, never across one. Knows models through the trait; the encoder is that of `sim`.
+//! plant is integrated from switch to switch of the (delayed) inputs, never across one. What comes from outside are
+//! functions of time. Knows models through the trait; the encoder is that of `sim`.
 
+use rand_distr::{Distribution, StandardNormal};
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::SeedableRng;
 use runtime::{Model, OutputPath};
 use sim::encoder;
 use std::fmt;
@@ -16,8 +20,12 @@ pub trait Controller {
     fn command(&mut self, t: f64, y: &[f64], u: &mut [f64]) -> Result<(), String>;
     /// The inputs as limited (one for each input), told after every command: for anti-windup.
     fn applied(&mut self, u: &[f64]);
-    /// References of the outputs at the last command; `None` where there is none.
-    fn references(&self) -> &[Option<f64>];
+    /// References of the outputs at the last command, value and rate; `None` where there is none.
+    fn references(&self) -> &[Option<(f64, f64)>];
+    /// Rates of the outputs as estimated at the last command; empty where the controller estimates none.
+    fn rates(&self) -> &[f64] {
+        &[]
+    }
 }
 
 /// What is run.
@@ -33,6 +41,31 @@ pub struct Bench {
     pub max_step: f64,
     /// Encoders quantize and wrap; otherwise outputs are read exactly.
     pub encoders: bool,
+    /// Inputs keep to their limits; otherwise they are applied as asked.
+    pub limits: bool,
+}
+
+/// A function of time [s].
+pub type Signal<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
+
+/// What comes from outside.
+#[derive(Default)]
+pub struct Surroundings<'a> {
+    /// Exogenous signals of the model (accelerations of prescribed coordinates), in its order.
+    pub exogenous: Vec<Signal<'a>>,
+    /// What is added to inputs behind their limits: (input, function).
+    pub disturbances: Vec<(usize, Signal<'a>)>,
+    /// Noise on outputs, before the encoders.
+    pub noise: Option<Noise>,
+}
+
+/// Independent normal noise on outputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Noise {
+    /// Standard deviation of each output (SI).
+    pub deviation: Vec<f64>,
+    /// Seed: equal seeds, equal noise.
+    pub seed: u64,
 }
 
 /// How a run ended.
@@ -62,8 +95,10 @@ pub struct Run {
     pub read: Vec<Vec<f64>>,
     /// Inputs as limited.
     pub u: Vec<Vec<f64>>,
-    /// References of the outputs.
-    pub references: Vec<Vec<Option<f64>>>,
+    /// References of the outputs, value and rate.
+    pub references: Vec<Vec<Option<(f64, f64)>>>,
+    /// Rates of the outputs as the controller estimates them; empty where it does not.
+    pub rates: Vec<Vec<f64>>,
     /// Share of samples at which each input was limited [%].
     pub saturated_percent: Vec<f64>,
     /// How it ended; the vectors reach up to there.
@@ -77,7 +112,7 @@ impl Run {
     pub fn errors(&self, output: usize, from: f64) -> Option<(f64, f64)> {
         let errors: Vec<f64> = (0..self.t.len())
             .filter(|&k| self.t[k] >= from)
-            .filter_map(|k| Some(self.y[k].get(output)? - (*self.references[k].get(output)?)?))
+            .filter_map(|k| Some(self.y[k].get(output)? - (*self.references[k].get(output)?)?.0))
             .collect();
         let n = errors.len() as f64;
         (n > 0.0).then(|| (errors.iter().map(|e| e.abs()).sum::<f64>() / n, (errors.iter().map(|e| e * e).sum::<f64>() / n).sqrt()))
@@ -101,11 +136,13 @@ pub enum BenchError {
         /// Its value [s].
         value: f64,
     },
-    /// The model has exogenous signals (prescribed motion), which a closed loop does not supply.
+    /// An exogenous signal of the model (prescribed motion) has no function.
     Exogenous {
         /// The first one's name.
         signal: String,
     },
+    /// A disturbance of an input that the model does not have, or noise on another number of outputs.
+    Surroundings,
 }
 
 impl fmt::Display for BenchError {
@@ -116,10 +153,10 @@ impl fmt::Display for BenchError {
                 f,
                 "the {what} of {value} s makes no sense here: it must be positive, and the run must stay below ten million samples"
             ),
-            Self::Exogenous { signal } => write!(
-                f,
-                "the model is moved by `{signal}`, which a closed loop does not supply; give the motion as a trajectory in the rig"
-            ),
+            Self::Exogenous { signal } => {
+                write!(f, "the model is moved by `{signal}`, and nothing says how; give the motion as a function of time")
+            }
+            Self::Surroundings => f.write_str("a disturbance or a noise does not fit the inputs and outputs of the model"),
         }
     }
 }
@@ -130,12 +167,19 @@ const MOST: f64 = 1e7;
 /// A state beyond this has left the range of any rig.
 const LARGEST: f64 = 1e9;
 
-/// Runs a controller on a model with parameters `p`.
+/// Runs a controller on a model with parameters `p`. Noise is drawn for every output at every sample, so that the noise of
+/// one output does not depend on that of another.
 ///
 /// # Errors
 /// [`BenchError`] where the bench makes no sense; a run that fails on its way is no error but has a status.
-pub fn run(model: &dyn Model, p: &[f64], bench: &Bench, controller: &mut dyn Controller) -> Result<Run, BenchError> {
-    check(model, bench)?;
+pub fn run(
+    model: &dyn Model,
+    p: &[f64],
+    bench: &Bench,
+    around: &Surroundings<'_>,
+    controller: &mut dyn Controller,
+) -> Result<Run, BenchError> {
+    check(model, bench, around)?;
     let d = model.dimensions();
     let names = model.names();
     let outputs: Vec<OutputPath> = (0..d.outputs).map(|i| model.output_path(i, p)).collect();
@@ -148,11 +192,13 @@ pub fn run(model: &dyn Model, p: &[f64], bench: &Bench, controller: &mut dyn Con
         read: Vec::new(),
         u: Vec::new(),
         references: Vec::new(),
+        rates: Vec::new(),
         saturated_percent: vec![0.0; d.inputs],
         status: Status::Complete,
     };
     let mut x = bench.x.clone();
     let mut past = History::default();
+    let mut random = around.noise.as_ref().map(|noise| Pcg64::seed_from_u64(noise.seed));
     let (mut y, mut u) = (vec![0.0; d.outputs], vec![0.0; d.inputs]);
     for k in 0..=samples {
         let t = k as f64 * bench.period;
@@ -162,7 +208,11 @@ pub fn run(model: &dyn Model, p: &[f64], bench: &Bench, controller: &mut dyn Con
             .iter()
             .enumerate()
             .map(|(i, path)| {
-                let value = past.at(t - path.delay, i);
+                let mut value = past.at(t - path.delay, i);
+                if let (Some(noise), Some(random)) = (&around.noise, &mut random) {
+                    let normal: f64 = StandardNormal.sample(random);
+                    value += noise.deviation[i] * normal;
+                }
                 if bench.encoders { encoder(value, path) } else { value }
             })
             .collect();
@@ -171,6 +221,9 @@ pub fn run(model: &dyn Model, p: &[f64], bench: &Bench, controller: &mut dyn Con
             break;
         }
         for (i, path) in inputs.iter().enumerate() {
+            if !bench.limits {
+                continue;
+            }
             let asked = u[i];
             u[i] = asked.max(path.limits.0).min(path.limits.1);
             // not `==`: a command that is not a number counts as limited
@@ -183,6 +236,9 @@ pub fn run(model: &dyn Model, p: &[f64], bench: &Bench, controller: &mut dyn Con
         run.read.push(read);
         run.u.push(u.clone());
         run.references.push(controller.references().to_vec());
+        if !controller.rates().is_empty() {
+            run.rates.push(controller.rates().to_vec());
+        }
         if k == samples {
             break;
         }
@@ -203,7 +259,7 @@ pub fn run(model: &dyn Model, p: &[f64], bench: &Bench, controller: &mut dyn Con
             let steps = ((to - from) / bench.max_step).ceil().max(1.0) as usize;
             for s in 0..steps {
                 let h = (to - from) / steps as f64;
-                failed = runge_kutta(model, p, from + s as f64 * h, &mut x, &held, h).err();
+                failed = runge_kutta(model, p, from + s as f64 * h, &mut x, &held, around, h).err();
                 if failed.is_some() {
                     break;
                 }
@@ -224,13 +280,17 @@ pub fn run(model: &dyn Model, p: &[f64], bench: &Bench, controller: &mut dyn Con
     Ok(run)
 }
 
-fn check(model: &dyn Model, bench: &Bench) -> Result<(), BenchError> {
+fn check(model: &dyn Model, bench: &Bench, around: &Surroundings<'_>) -> Result<(), BenchError> {
     let d = model.dimensions();
     if bench.x.len() != d.states() {
         return Err(BenchError::State { found: bench.x.len(), wanted: d.states() });
     }
-    if d.exogenous > 0 {
-        return Err(BenchError::Exogenous { signal: model.names().signal(d.inputs).to_owned() });
+    if around.exogenous.len() < d.exogenous {
+        return Err(BenchError::Exogenous { signal: model.names().signal(d.inputs + around.exogenous.len()).to_owned() });
+    }
+    let noise_fits = around.noise.as_ref().is_none_or(|noise| noise.deviation.len() == d.outputs);
+    if around.exogenous.len() > d.exogenous || around.disturbances.iter().any(|(i, _)| *i >= d.inputs) || !noise_fits {
+        return Err(BenchError::Surroundings);
     }
     let times =
         [("period", bench.period, MOST), ("duration", bench.duration, MOST * bench.period), ("max_step", bench.max_step, f64::INFINITY)];
@@ -281,18 +341,24 @@ impl History {
 }
 
 /// One step of the classical fourth-order method with held inputs; the error is the index of a state that failed.
-fn runge_kutta(model: &dyn Model, p: &[f64], t: f64, x: &mut [f64], u: &[f64], h: f64) -> Result<(), usize> {
+fn runge_kutta(model: &dyn Model, p: &[f64], t: f64, x: &mut [f64], held: &[f64], around: &Surroundings<'_>, h: f64) -> Result<(), usize> {
     let n = x.len();
     let mut k = [const { Vec::new() }; 4];
     let mut at = x.to_vec();
+    let mut u = held.to_vec();
+    u.resize(held.len() + around.exogenous.len(), 0.0);
     for (stage, c) in [0.0, 0.5, 0.5, 1.0].into_iter().enumerate() {
         if stage > 0 {
             for i in 0..n {
                 at[i] = x[i] + c * h * k[stage - 1][i];
             }
         }
+        let now = t + c * h;
+        u[..held.len()].copy_from_slice(held);
+        around.disturbances.iter().for_each(|(i, f)| u[*i] += f(now));
+        u[held.len()..].iter_mut().zip(&around.exogenous).for_each(|(u, f)| *u = f(now));
         k[stage] = vec![0.0; n];
-        model.rhs(t + c * h, &at, u, p, &mut k[stage]).map_err(|s| s.coordinate)?;
+        model.rhs(now, &at, &u, p, &mut k[stage]).map_err(|s| s.coordinate)?;
     }
     for i in 0..n {
         x[i] += h / 6.0 * (k[0][i] + 2.0 * k[1][i] + 2.0 * k[2][i] + k[3][i]);

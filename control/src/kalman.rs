@@ -3,6 +3,7 @@
 //! Continuous: x' = A x + w, y = C x + v with intensities W, V: A P + P A^T - P C^T V^-1 C P + W = 0, L = P C^T V^-1.
 //! Discrete: x(k + 1) = A x(k) + w, y(k) = C x(k) + v with covariances W, V; P is the covariance of the prediction.
 
+use crate::discretize::SampleError;
 use crate::modes::{Time, show, who};
 use crate::plant::Plant;
 use crate::riccati::{RiccatiData, RiccatiError, solve};
@@ -35,6 +36,8 @@ pub enum KalmanError {
     Measurement(WeightError),
     /// No states or no outputs.
     Empty,
+    /// The plant cannot be sampled like this.
+    Sampling(SampleError),
     /// The Riccati equation has no solution.
     Riccati {
         /// Why, in terms of the dual problem.
@@ -50,6 +53,7 @@ impl fmt::Display for KalmanError {
             Self::Process(e) => write!(f, "process noise: {e}"),
             Self::Measurement(e) => write!(f, "measurement noise: {e}"),
             Self::Empty => f.write_str("a filter needs at least one state and one output"),
+            Self::Sampling(e) => e.fmt(f),
             Self::Riccati { error: RiccatiError::Unreachable(m), states } => write!(
                 f,
                 "no output shows the mode at {} ({}), which does not decay by itself: measure one of its states, or leave them out",

@@ -8,6 +8,7 @@
 //! design's own.
 
 use crate::discretize::{SampleError, sampled_cost, zero_order_hold};
+use crate::gain::back_calculation;
 use crate::modes::Time;
 use crate::plant::{Coupling, NameError, Plant};
 use crate::riccati::{RiccatiData, RiccatiError, solve};
@@ -172,13 +173,7 @@ pub fn lqr(plant: &Plant, design: &LqrDesign) -> Result<Lqr, LqrError> {
 
     let tracking_time = tracking_time(&solution.poles, design.sampling);
     let k_i = solution.gain.columns(keep.len(), integrals).into_owned();
-    // L = -K_i^+ / tracking_time makes z' = .. - z / tracking_time while inputs are held by their limits
-    let anti_windup = if integrals == 0 {
-        DMatrix::zeros(0, plant.inputs.len())
-    } else {
-        let floor = 1e-10 * k_i.norm();
-        k_i.pseudo_inverse(floor).map_or_else(|_| DMatrix::zeros(integrals, plant.inputs.len()), |m| m / tracking_time) * -1.0
-    };
+    let anti_windup = back_calculation(&k_i, tracking_time);
     Ok(Lqr {
         states,
         integrals,

@@ -1,14 +1,16 @@
 //! Feedforward and state feedback on measured angles, as it runs on the rig (eq. 22 to 24 of the seed paper).
 //!
-//! u = u*(references) - K (x - x*) - K_i z: angles from the encoders (unwrapped), rates from derivative filters, u* from
-//! the trim manifold, an outer loop's reference from its cascade, integrals with back-calculation at the limits.
+//! u = u*(references) - K (x - x*) - K_i z: angles from the encoders (unwrapped), rates by an [`Estimation`], u* from the
+//! trim manifold or of the operating point, an outer loop's reference from its cascade, integrals with back-calculation
+//! at the limits.
 
 use crate::cascade::Cascade;
 use crate::closed_loop::Controller;
 use crate::discretize::SampleError;
+use crate::estimator::{Estimation, KalmanEstimator};
 use crate::feedforward::Feedforward;
 use crate::filter::{DerivativeFilter, Rule, Running};
-use crate::lqr::Lqr;
+use crate::gain::Gain;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 use std::fmt;
@@ -40,22 +42,41 @@ pub enum InnerRate {
     Filtered(DerivativeFilter),
 }
 
+/// The inputs that the feedback is added to.
+pub enum Holding<'a> {
+    /// Those of the operating point (one for each signal of the model).
+    Point(Vec<f64>),
+    /// Those that hold the references of these outputs, in the order of the feedforward's held states; an output without
+    /// reference is held where it is measured.
+    Manifold(Feedforward<'a>, Vec<String>),
+}
+
+/// What the deviations are taken from where there is no reference.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operating {
+    /// Value and rate of each output, in terms of its coordinate where it shows one.
+    pub outputs: Vec<(f64, f64)>,
+    /// What each output reads where its coordinate is zero (an encoder that was switched on elsewhere).
+    pub zeros: Vec<f64>,
+    /// States of the model that a Kalman filter estimates, by name, with their values.
+    pub states: Vec<(String, f64)>,
+}
+
 /// Settings of a tracking controller.
 pub struct Setup<'a> {
-    /// The regulator; its states are outputs, their rates `y.dot` and integrals `y.integral`, by name.
-    pub lqr: &'a Lqr,
-    /// How the signals of the model move with the regulator's inputs (signals x inputs).
+    /// The gain; its states are outputs, their rates `y.dot` and integrals `y.integral`, by name; with a Kalman filter any
+    /// state of its model.
+    pub gain: Gain,
+    /// How the signals of the model move with the gain's inputs (signals x inputs).
     pub directions: DMatrix<f64>,
-    /// References by output; where there is none it is zero.
+    /// References by output, in terms of its coordinate; where there is none, that of the operating point.
     pub references: Vec<(String, Reference<'a>)>,
-    /// Inputs that hold references; its held states are those of `held`.
-    pub feedforward: Feedforward<'a>,
-    /// Outputs whose references the feedforward holds, in its order.
-    pub held: Vec<String>,
-    /// Filter for rates.
-    pub filter: DerivativeFilter,
-    /// How it is sampled.
-    pub rule: Rule,
+    /// The operating point.
+    pub operating: Operating,
+    /// Inputs to start from.
+    pub holding: Holding<'a>,
+    /// Where rates come from.
+    pub estimation: Estimation,
     /// Period [s].
     pub period: f64,
 }
@@ -108,7 +129,12 @@ impl std::error::Error for TrackingError {}
 enum Column {
     Angle(usize),
     Rate(usize),
-    Integral { output: usize, value: f64 },
+    Integral {
+        output: usize,
+        value: f64,
+    },
+    /// A state that only a Kalman filter knows, and its operating value.
+    Estimated(usize, f64),
 }
 
 /// An angle, unwrapped, with its rate.
@@ -146,10 +172,16 @@ pub struct Tracking<'a> {
     mixing: DMatrix<f64>,
     sources: Vec<Source<'a>>,
     channels: Vec<Channel>,
-    feedforward: Feedforward<'a>,
+    holding: Holding<'a>,
     held: Vec<usize>,
+    operating: Vec<(f64, f64)>,
+    zeros: Vec<f64>,
+    kalman: Option<Box<KalmanEstimator>>,
+    /// For each output, the states of the Kalman filter that are its value and its rate.
+    estimated: Vec<(Option<usize>, Option<usize>)>,
     period: f64,
-    references: Vec<Option<f64>>,
+    references: Vec<Option<(f64, f64)>>,
+    rates: Vec<f64>,
     asked: DVector<f64>,
     errors: Vec<f64>,
 }
@@ -168,23 +200,32 @@ impl<'a> Tracking<'a> {
                 .position(|o| o == name)
                 .ok_or_else(|| TrackingError::NotMeasured { name: whole.to_owned(), outputs: outputs.clone() })
         };
-        let lqr = setup.lqr;
-        if let Some(gain) = lqr.period.filter(|&gain| (gain - setup.period).abs() > 1e-9 * setup.period) {
-            return Err(TrackingError::Period { gain, controller: setup.period });
+        let gain = setup.gain;
+        if let Some(designed) = gain.period.filter(|&designed| (designed - setup.period).abs() > 1e-9 * setup.period) {
+            return Err(TrackingError::Period { gain: designed, controller: setup.period });
         }
-        if setup.directions.shape() != (d.signals(), lqr.inputs.len()) {
+        if setup.directions.shape() != (d.signals(), gain.inputs.len())
+            || setup.operating.outputs.len() != d.outputs
+            || setup.operating.zeros.len() != d.outputs
+        {
             return Err(TrackingError::Directions);
         }
-        let columns = lqr
+        let known = |name: &str| setup.operating.states.iter().position(|(s, _)| s == name);
+        let kalman = if let Estimation::Kalman(estimator) = &setup.estimation { Some(estimator.clone()) } else { None };
+        let columns = gain
             .states
             .iter()
             .map(|name| match (name.strip_suffix(".integral"), name.strip_suffix(".dot")) {
                 (Some(output), _) => Ok(Column::Integral { output: find(output, name)?, value: 0.0 }),
-                (None, Some(output)) => Ok(Column::Rate(find(output, name)?)),
-                (None, None) => Ok(Column::Angle(find(name, name)?)),
+                (None, Some(output)) if outputs.iter().any(|o| o == output) => Ok(Column::Rate(find(output, name)?)),
+                (None, None) if outputs.iter().any(|o| o == name) => Ok(Column::Angle(find(name, name)?)),
+                _ => match known(name).filter(|_| kalman.is_some()) {
+                    Some(k) => Ok(Column::Estimated(k, setup.operating.states[k].1)),
+                    None => Err(TrackingError::NotMeasured { name: name.clone(), outputs: outputs.clone() }),
+                },
             })
             .collect::<Result<Vec<_>, _>>()?;
-        let filter = |f: DerivativeFilter| f.sampled(setup.period, setup.rule).map(Running::new).map_err(TrackingError::Filter);
+        let filter = |f: DerivativeFilter| f.sampled(setup.period, Rule::ZeroOrderHold).map(Running::new).map_err(TrackingError::Filter);
         let mut sources: Vec<Source<'a>> = (0..d.outputs).map(|_| Source::None).collect();
         for (name, reference) in setup.references {
             sources[find(&name, &name)?] = match reference {
@@ -206,22 +247,37 @@ impl<'a> Tracking<'a> {
             }
         }
         let channels = (0..d.outputs)
-            .map(|i| Ok(Channel { wrapped: model.output_path(i, p).wrapped, last: None, filter: filter(setup.filter)? }))
+            .map(|i| {
+                Ok(Channel {
+                    wrapped: model.output_path(i, p).wrapped,
+                    last: None,
+                    filter: Running::new(setup.estimation.of_one_angle(setup.period).map_err(TrackingError::Filter)?),
+                })
+            })
             .collect::<Result<Vec<_>, TrackingError>>()?;
-        let held = setup.held.iter().map(|name| find(name, name)).collect::<Result<Vec<_>, _>>()?;
+        let held = match &setup.holding {
+            Holding::Point(_) => Vec::new(),
+            Holding::Manifold(_, names) => names.iter().map(|name| find(name, name)).collect::<Result<Vec<_>, _>>()?,
+        };
+        let estimated = outputs.iter().map(|o| (known(o), known(&format!("{o}.dot")))).collect();
         let mixing = setup.directions.clone().pseudo_inverse(1e-12).map_err(|_| TrackingError::Directions)?;
         Ok(Self {
-            gain: lqr.k.clone(),
+            gain: gain.k,
             columns,
-            anti_windup: lqr.anti_windup.clone(),
+            anti_windup: gain.anti_windup,
             directions: setup.directions,
             mixing,
             sources,
             channels,
-            feedforward: setup.feedforward,
+            holding: setup.holding,
             held,
+            operating: setup.operating.outputs,
+            zeros: setup.operating.zeros,
+            kalman,
+            estimated,
             period: setup.period,
             references: vec![None; d.outputs],
+            rates: vec![0.0; d.outputs],
             asked: DVector::zeros(d.signals()),
             errors: vec![0.0; d.outputs],
         })
@@ -230,7 +286,22 @@ impl<'a> Tracking<'a> {
 
 impl Controller for Tracking<'_> {
     fn command(&mut self, t: f64, y: &[f64], u: &mut [f64]) -> Result<(), String> {
-        let measured: Vec<(f64, f64)> = self.channels.iter_mut().zip(y).map(|(channel, &value)| channel.read(value)).collect();
+        let mut measured: Vec<(f64, f64)> = self.channels.iter_mut().zip(y).map(|(channel, &value)| channel.read(value)).collect();
+        let mut state = DVector::zeros(0);
+        let shown: Vec<f64> = measured.iter().zip(&self.zeros).map(|(m, zero)| m.0 - zero).collect();
+        if let Some(kalman) = &mut self.kalman {
+            let readings: Vec<f64> = measured.iter().map(|m| m.0).collect();
+            state = kalman.read(&readings);
+            for (m, (angle, rate)) in measured.iter_mut().zip(&self.estimated) {
+                let of = |i: &Option<usize>, or: f64| i.and_then(|i| state.get(i).copied()).unwrap_or(or);
+                *m = (of(angle, m.0), of(rate, m.1));
+            }
+        }
+        for ((m, shown), (angle, _)) in measured.iter_mut().zip(&shown).zip(&self.estimated) {
+            if self.kalman.is_none() || angle.is_none() {
+                m.0 = *shown;
+            }
+        }
         let given: Vec<Option<(f64, f64)>> =
             self.sources.iter().map(|s| if let Source::Given(f) = s { Some(f(t)) } else { None }).collect();
         let wanted: Vec<Option<(f64, f64)>> = self
@@ -247,26 +318,38 @@ impl Controller for Tracking<'_> {
                 }
             })
             .collect();
-        let references: Vec<f64> = self.held.iter().map(|&i| wanted[i].unwrap_or_default().0).collect();
-        let trim = self.feedforward.at(&references).map_err(|e| e.to_string())?;
-        let error = |i: usize| measured[i].0 - wanted[i].unwrap_or_default().0;
+        let base = match &mut self.holding {
+            Holding::Point(u) => u.clone(),
+            Holding::Manifold(feedforward, _) => {
+                let references: Vec<f64> = self.held.iter().map(|&i| wanted[i].map_or(measured[i].0, |w| w.0)).collect();
+                feedforward.at(&references).map_err(|e| e.to_string())?.u
+            }
+        };
+        let target = |i: usize| wanted[i].unwrap_or(self.operating[i]);
+        let error = |i: usize| measured[i].0 - target(i).0;
         let deviation = DVector::from_iterator(
             self.columns.len(),
             self.columns.iter().map(|column| match column {
                 Column::Angle(i) => error(*i),
-                Column::Rate(i) => measured[*i].1 - wanted[*i].unwrap_or_default().1,
+                Column::Rate(i) => measured[*i].1 - target(*i).1,
                 Column::Integral { value, .. } => *value,
+                Column::Estimated(k, at) => state.get(*k).copied().unwrap_or(f64::NAN) - at,
             }),
         );
-        self.asked = DVector::from_vec(trim.u) - &self.directions * (&self.gain * deviation);
+        self.asked = DVector::from_vec(base) - &self.directions * (&self.gain * deviation);
         u.iter_mut().zip(self.asked.iter()).for_each(|(u, asked)| *u = *asked);
         self.errors = (0..y.len()).map(error).collect();
-        self.references = wanted.iter().map(|w| w.map(|(value, _)| value)).collect();
+        self.references = wanted.iter().zip(&self.zeros).map(|(w, zero)| w.map(|(value, rate)| (value + zero, rate))).collect();
+        self.rates = measured.iter().map(|m| m.1).collect();
         Ok(())
     }
 
     fn applied(&mut self, u: &[f64]) {
         let cut = DVector::from_fn(self.asked.len(), |i, _| u.get(i).map_or(0.0, |u| u - self.asked[i]));
+        if let Some(kalman) = &mut self.kalman {
+            let whole = DVector::from_fn(self.asked.len(), |i, _| u.get(i).map_or(self.asked[i], |u| *u));
+            kalman.hold(&(&self.mixing * whole));
+        }
         let back = &self.anti_windup * (&self.mixing * cut);
         let mut k = 0;
         for column in &mut self.columns {
@@ -277,7 +360,11 @@ impl Controller for Tracking<'_> {
         }
     }
 
-    fn references(&self) -> &[Option<f64>] {
+    fn references(&self) -> &[Option<(f64, f64)>] {
         &self.references
+    }
+
+    fn rates(&self) -> &[f64] {
+        &self.rates
     }
 }

@@ -193,12 +193,14 @@ fn finish(files: Vec<ast::File>, sources: Sources, mut diagnostics: Vec<Diagnost
     Checked { rig, diagnostics, sources }
 }
 
-/// A value from the command line: a number with an optional unit (`5deg`, `0.3`), in SI.
+/// A value from the command line: a number with an optional unit (`5deg`, `0.3`, `8 deg/s`), in SI.
 ///
 /// # Errors
 /// A sentence for the user.
 pub fn parse_value(text: &str, expected: &units::Unit) -> Result<f64, String> {
     let mut diagnostics = Vec::new();
+    let bracketed = in_brackets(text);
+    let text = bracketed.as_deref().unwrap_or(text);
     let tokens = token::lex(0, text, &mut diagnostics);
     let expr = parser::parse_expression(&tokens, &mut diagnostics);
     let scope = quantity::Scope::default();
@@ -217,6 +219,42 @@ pub fn parse_value(text: &str, expected: &units::Unit) -> Result<f64, String> {
         (Some(rig::Expr::Number(x)), None) => Ok(if bare { x * expected.factor } else { x }),
         (_, Some(d)) => Err(d.message.clone()),
         _ => Err(format!("`{text}` is no number")),
+    }
+}
+
+/// `8 deg/s` as `8 [deg/s]`: outside of a rig nothing else can be meant.
+fn in_brackets(text: &str) -> Option<String> {
+    let cut = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E'))?;
+    let (number, unit) = text.split_at_checked(cut)?;
+    (unit.contains(['/', '*', '^']) && number.trim().parse::<f64>().is_ok() && parse_unit(unit).is_ok())
+        .then(|| format!("{number}[{unit}]"))
+}
+
+/// A function of time as written in a rig (`4 deg * sin(2 [rad/s] * t)`); a bare number takes the unit of its place.
+///
+/// # Errors
+/// A sentence for the user, and how to mend it where that is known.
+pub fn parse_time_function(text: &str, expected: &units::Unit) -> Result<rig::Expr, (String, Option<String>)> {
+    let mut diagnostics = Vec::new();
+    let tokens = token::lex(0, text, &mut diagnostics);
+    let expr = parser::parse_expression(&tokens, &mut diagnostics);
+    let scope = quantity::Scope::default();
+    let sources = Sources { files: vec![("function".to_owned(), text.to_owned())] };
+    let mut used = std::collections::BTreeSet::new();
+    let checked = expr.as_ref().and_then(|e| {
+        quantity::Checker { scope: &scope, sources: &sources, diagnostics: &mut diagnostics, used: &mut used }.expect(
+            e,
+            expected.dimension,
+            "this",
+            quantity::Allowed::Trajectory,
+        )
+    });
+    let bare = expr.as_ref().is_some_and(quantity::is_bare);
+    match (checked, diagnostics.into_iter().find(|d| d.severity == Severity::Error)) {
+        (Some(rig::Expr::Number(x)), None) if bare => Ok(rig::Expr::Number(x * expected.factor)),
+        (Some(expr), None) => Ok(expr),
+        (_, Some(d)) => Err((d.message.replace(" in this rig", ""), d.helps.into_iter().next())),
+        (None, None) => Err((format!("`{text}` is no function of time"), None)),
     }
 }
 

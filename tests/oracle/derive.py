@@ -12,6 +12,7 @@ import sys
 
 import casadi as ca
 import numpy as np
+from scipy.linalg import solve_continuous_are
 
 FORMAT = 1
 STATES = 20
@@ -583,8 +584,28 @@ def find_trim(rig, n, equations, trim, p):
     return {
         "name": trim["name"], "x": w[: place.states].tolist(), "u": w[place.states :].tolist(),
         "residual": float(np.max(np.abs(residual), initial=0.0)), "rank": rank, "unknowns": columns.shape[1] if columns.size else 0,
-        "rates": e["rates"], "A": e["A"], "B": e["B"],
+        "rates": e["rates"], "A": e["A"], "B": e["B"], "K": regulator(place, e, len(rig["inputs"])),
     }
+
+
+def regulator(place, e, inputs):
+    """The gain of the regulator with identity weights by SciPy; None where the rig's inputs cannot stabilize it."""
+    rows = len(e["rates"])
+    a = np.zeros((place.states, place.states))
+    a[: place.count, place.count : 2 * place.count] = np.eye(place.count)
+    a[place.count :, :] = np.array(e["A"]).reshape(rows, -1)
+    b = np.zeros((place.states, inputs))
+    b[place.count :, :] = np.array(e["B"]).reshape(rows, -1)[:, :inputs]
+    size = max(np.linalg.norm(a, 2), 1.0)
+    for pole in np.linalg.eigvals(a):
+        # a double pole at the origin is found to the root of rounding only
+        if pole.real < -1e-6 * size:
+            continue
+        seen = np.hstack([a - pole * np.eye(len(a)), b])
+        if np.linalg.svd(seen, compute_uv=False)[-1] < 1e-6 * size:
+            return None
+    x = solve_continuous_are(a, b, np.eye(len(a)), np.eye(inputs))
+    return (b.T @ x).tolist()
 
 
 # ---------------------------------------------------------------- results

@@ -4,12 +4,13 @@
 use codegen::emit::{declared, declared_fingerprint};
 use codegen::expr::{Id, SymbolKind};
 use codegen::{Equations, Options, derive};
-use control::{TrimError, TrimProblem, Unknown};
+use control::{RiccatiData, TrimError, TrimProblem, Unknown};
 use cross_checks::close::by_rows_of_scale;
 use cross_checks::trims::problem;
 use cross_checks::{oracle_rigs, rig_of, root};
 use jit::InProcess;
 use model_dsl::rig::Rig;
+use nalgebra::DMatrix;
 use runtime::Model;
 use serde_json::Value;
 use std::path::Path;
@@ -207,6 +208,7 @@ fn every_trim_agrees_with_casadi() {
                 let d = by_rows_of_scale(&ours, &flat(&theirs[quantity.name]), quantity.columns, |_| 0.0);
                 assert!(d <= TOLERANCE, "{label}: {} differs by {d:.1e}", quantity.name);
             }
+            regulator(&label, theirs, n, &model);
             // our own operating point
             let ours = ours.unwrap_or_else(|error| panic!("{label}: {error}"));
             let lags = model.dimensions().lags;
@@ -238,6 +240,31 @@ fn every_trim_agrees_with_casadi() {
             println!("{label}: rank {} of {}, {}", ours.rank, ours.unknowns, if full { "agrees" } else { "free direction, A and B agree" });
         }
     }
+}
+
+/// The gain with identity weights at the oracle's A and B, by SciPy and by us; refused by both where the rig's inputs
+/// cannot stabilize it.
+fn regulator(label: &str, theirs: &Value, n: usize, model: &InProcess) {
+    let (lags, inputs) = (model.dimensions().lags, model.dimensions().inputs);
+    let states = 2 * n + lags;
+    let rates = n + lags;
+    let below = DMatrix::from_row_slice(rates, states, &flat(&theirs["A"]));
+    let all = flat(&theirs["B"]);
+    let below_b = DMatrix::from_row_slice(rates, all.len() / rates.max(1), &all);
+    let a = DMatrix::from_fn(states, states, |i, j| if i < n { f64::from(u8::from(j == n + i)) } else { below[(i - n, j)] });
+    let b = DMatrix::from_fn(states, inputs, |i, j| if i < n { 0.0 } else { below_b[(i - n, j)] });
+    let (q, r) = (DMatrix::identity(states, states), DMatrix::identity(inputs, inputs));
+    let ours = control::care(RiccatiData { a: &a, b: &b, q: &q, r: &r, cross: None });
+    if theirs["K"].is_null() {
+        assert!(ours.is_err(), "{label}: no gain stabilizes it, says the oracle; ours does");
+        println!("{label}: no gain, for both");
+        return;
+    }
+    let ours = ours.unwrap_or_else(|e| panic!("{label}: {e:?}"));
+    let wanted = DMatrix::from_row_slice(inputs, states, &flat(&theirs["K"]));
+    let d = (&ours.gain - &wanted).norm() / wanted.norm();
+    println!("{label}: K differs by {d:.1e}");
+    assert!(d < 1e-8, "{label}: K differs by {d:.1e}\nours {}theirs {wanted}", ours.gain);
 }
 
 /// The comparison can fail: one sign of one rig turned is seen in force, rates, B and P, and nowhere that it should not be.

@@ -1,4 +1,4 @@
-//! Maintenance of the project: `cargo xtask gen [--check]`, `witness`, `oracle [--check] [--python PROGRAM]`.
+//! Maintenance of the project: `cargo xtask gen [--check]`, `witness`, `oracle [--check | --riccati] [--python PROGRAM]`.
 //! One file a task; each says what it did, or what is wrong and how to mend it.
 
 mod gen_models;
@@ -16,7 +16,7 @@ fn main() -> ExitCode {
         Some("gen") => gen_models::run(rest),
         Some("witness") => witness::run(rest),
         Some("oracle") => oracle::run(rest),
-        _ => Err("usage: cargo xtask gen [--check] | witness | oracle [--check] [--python PROGRAM]".to_owned()),
+        _ => Err("usage: cargo xtask gen [--check] | witness | oracle [--check | --riccati] [--python PROGRAM]".to_owned()),
     };
     match result {
         Ok(said) => {

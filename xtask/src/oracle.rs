@@ -1,8 +1,9 @@
-//! `cargo xtask oracle [--check] [--python PROGRAM]`: the declared rigs, derived by CasADi.
+//! `cargo xtask oracle [--check | --riccati] [--python PROGRAM]`: the declared rigs, derived by CasADi.
 //!
 //! Writes each rig's declared JSON to the target folder, runs `tests/oracle/derive.py` on it (which sees nothing
 //! else) and keeps the numbers in `tests/oracle/data`. `--check` compares anew computed numbers with those that
-//! stand there. None of the numbers comes from our own derivation.
+//! stand there. `--riccati` runs `tests/oracle/riccati.py` instead, which writes `tests/oracle/riccati.json` (it needs
+//! `requirements-riccati.txt`, and minutes). None of the numbers comes from our own derivation.
 
 use codegen::emit::{declared, declared_fingerprint};
 use serde_json::Value;
@@ -12,20 +13,30 @@ use std::process::{Child, Command, Stdio};
 
 /// Relative difference up to which numbers computed anew are those that stand there.
 const TOLERANCE: f64 = 1e-10;
+/// The same for gains, which come out of a Riccati equation.
+const GAINS: f64 = 1e-7;
 
 /// Runs the task.
 pub fn run(arguments: &[String]) -> Result<String, String> {
-    let mut check = false;
+    let (mut check, mut riccati) = (false, false);
     let mut python = "python3".to_owned();
     let mut rest = arguments.iter();
     while let Some(argument) = rest.next() {
         match argument.as_str() {
             "--check" => check = true,
+            "--riccati" => riccati = true,
             "--python" => python = rest.next().ok_or("`--python` wants a program")?.clone(),
-            other => return Err(format!("`{other}` is not known; usage: cargo xtask oracle [--check] [--python PROGRAM]")),
+            other => return Err(format!("`{other}` is not known; usage: cargo xtask oracle [--check | --riccati] [--python PROGRAM]")),
         }
     }
     let root = crate::root();
+    if riccati {
+        return if check {
+            Err("`--riccati` writes its file anew; compare it by `git diff`".to_owned())
+        } else {
+            run_riccati(&root, &python)
+        };
+    }
     let data = root.join("tests/oracle/data");
     let work = root.join("target/oracle");
     for folder in [&data, &work] {
@@ -66,6 +77,16 @@ pub fn run(arguments: &[String]) -> Result<String, String> {
     }
     notes.insert(0, format!("oracle: {} rigs derived by CasADi, {}", jobs.len(), if check { "no drift" } else { "numbers written" }));
     Ok(notes.join("\n"))
+}
+
+/// Writes the answers for Riccati equations anew.
+fn run_riccati(root: &Path, python: &str) -> Result<String, String> {
+    let status = Command::new(python)
+        .arg(root.join("tests/oracle/riccati.py"))
+        .stdin(Stdio::null())
+        .status()
+        .map_err(|e| format!("cannot run `{python}`: {e}; name a Python with tests/oracle/requirements-riccati.txt by `--python`"))?;
+    if status.success() { Ok("oracle: tests/oracle/riccati.json written".to_owned()) } else { Err("riccati.py failed".to_owned()) }
 }
 
 /// Files of all rigs that the oracle covers, in order.
@@ -147,20 +168,32 @@ fn derive_all(jobs: &[Job], python: &str, program: &Path) -> Result<(), String> 
 
 /// Compares a result with the kept one; a note where only the CasADi version differs.
 fn compare(job: &Job, kept: &Path) -> Result<Option<String>, String> {
-    let old = read(kept)?;
-    let new = read(&job.result)?;
+    let mut old = read(kept)?;
+    let mut new = read(&job.result)?;
     if old["declared"] != job.fingerprint.as_str() {
         return Err(format!("{} belongs to another state of the rig", kept.display()));
     }
-    let mut worst = (0.0, String::new());
-    for part in ["states", "trims"] {
-        difference(&old[part], &new[part], part, 0.0, &mut worst)?;
-    }
-    if worst.0 > TOLERANCE {
-        return Err(format!("{}: {} has drifted by {:.1e} (relative)", job.name, worst.1, worst.0));
+    let (gains_were, gains_are) = (gains(&mut old), gains(&mut new));
+    let pairs = [
+        ("states", &old["states"], &new["states"], TOLERANCE),
+        ("trims", &old["trims"], &new["trims"], TOLERANCE),
+        ("gains", &gains_were, &gains_are, GAINS),
+    ];
+    for (part, old, new, tolerance) in pairs {
+        let mut worst = (0.0, String::new());
+        difference(old, new, part, 0.0, &mut worst)?;
+        if worst.0 > tolerance {
+            return Err(format!("{}: {} has drifted by {:.1e} (relative)", job.name, worst.1, worst.0));
+        }
     }
     let (was, is) = (&old["casadi"], &new["casadi"]);
     Ok((was != is).then(|| format!("kept numbers are from CasADi {was}, these from {is}")))
+}
+
+/// Takes the gains out of a result.
+fn gains(result: &mut Value) -> Value {
+    let trims = result["trims"].as_array_mut();
+    trims.into_iter().flatten().filter_map(|trim| trim.as_object_mut()).map(|trim| trim.remove("K").unwrap_or_default()).collect()
 }
 
 fn read(path: &Path) -> Result<Value, String> {

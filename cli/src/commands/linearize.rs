@@ -5,6 +5,8 @@ use crate::failure::Failure;
 use crate::load::{self, Loaded, unknown};
 use crate::operating::{self, Found};
 use crate::output::{Answer, number, poles_in_words, prime, table};
+use crate::sweep::Sweep;
+use crate::workspace::{Item, Workspace};
 use codegen::{Options, direction_by_name};
 use control::{LinearModel, LinearizeError};
 use jit::InProcess;
@@ -28,18 +30,9 @@ pub fn run(args: &Linearize) -> Result<Answer, Failure> {
     let model = InProcess::new(load::equations(&loaded, Options::default())?);
     let layout = &model.equations().layout;
     let inputs = inputs_of(&loaded, &model, &args.inputs)?;
-    let points: Vec<Point> = match &args.sweep {
-        None => vec![args.point.clone()],
-        Some(sweep) => sweep_values(sweep)?
-            .into_iter()
-            .map(|value| {
-                let mut at: Vec<String> =
-                    args.point.at.iter().filter(|t| t.split('=').next().map(str::trim) != value.split('=').next()).cloned().collect();
-                at.push(value);
-                Point { at, trim: args.point.trim.clone() }
-            })
-            .collect(),
-    };
+    let sweep = args.sweep.as_deref().map(|text| Sweep::read(text, &args.point, &loaded, &model)).transpose()?;
+    let points = sweep.as_ref().map_or_else(|| vec![args.point.clone()], |s| s.points.clone());
+    let mut models: Vec<Linearized> = Vec::new();
     let mut text = String::new();
     let mut documents: Vec<Value> = Vec::new();
     let states: Vec<&str> = layout.x().map(|v| v.name.as_str()).collect();
@@ -64,8 +57,24 @@ pub fn run(args: &Linearize) -> Result<Answer, Failure> {
         let mut document = document(&loaded, &model, &linear, &states);
         document["input"] = (&inputs.rows * nalgebra::DVector::from_column_slice(&linear.found.trim.u)).as_slice().into();
         documents.push(document);
+        models.push(linear);
     }
-    let json = json!({"rig": loaded.rig.name, "states": states, "inputs": inputs.names, "outputs": outputs, "points": documents});
+    if let Some(sweep) = &sweep {
+        let _ = writeln!(text, "\npoles over {}:", sweep.name);
+        for (value, linear) in sweep.values.iter().zip(&models) {
+            let _ = writeln!(text, "  {:>12}  {}", number(*value), poles_in_words(&linear.model.poles));
+        }
+    }
+    let mut written = Vec::new();
+    if let Some(path) = &args.export {
+        let mut workspace = Workspace { source: source_name(&args.rig.file), items: Vec::new() };
+        add_models(&mut workspace, &models.iter().collect::<Vec<_>>(), &inputs, sweep.as_ref());
+        add_names(&mut workspace, &states, &inputs.names, &outputs);
+        workspace.write(path, args.force)?;
+        let _ = writeln!(text, "wrote {}", path.display());
+        written.push(path.display().to_string());
+    }
+    let json = json!({"rig": loaded.rig.name, "states": states, "inputs": inputs.names, "outputs": outputs, "points": documents, "files": written});
     Ok(Answer { text, json })
 }
 
@@ -77,8 +86,12 @@ pub fn at_point(
     directions: &DMatrix<f64>,
     friction_slope: bool,
 ) -> Result<Linearized, Failure> {
+    linear_at(model, operating::find(loaded, model, point)?, directions, friction_slope)
+}
+
+/// Linear model at a point that was found.
+pub fn linear_at(model: &InProcess, found: Found, directions: &DMatrix<f64>, friction_slope: bool) -> Result<Linearized, Failure> {
     let layout = &model.equations().layout;
-    let found = operating::find(loaded, model, point)?;
     let (x, u, p) = (&found.trim.x, &found.trim.u, &layout.nominal);
     let linear = |slope: bool| {
         control::linearize(model, p, x, directions, |dx, a, b| {
@@ -146,34 +159,6 @@ pub fn inputs_of(loaded: &Loaded, model: &InProcess, names: &[String]) -> Result
     Ok(Inputs { names, directions, rows })
 }
 
-/// `name=a:b:n` to n assignments.
-fn sweep_values(text: &str) -> Result<Vec<String>, Failure> {
-    let wrong = || {
-        Failure::new("C0106", format!("--sweep {text} is not of the form name=from:to:count"))
-            .with_help("for example `--sweep theta=-10deg:10deg:5`")
-    };
-    let (name, range) = load::assignment(text)?;
-    let parts: Vec<&str> = range.split(':').map(str::trim).collect();
-    let [from, to, count] = parts[..] else { return Err(wrong()) };
-    let count: usize = count.parse().ok().filter(|n| (1..=10_000).contains(n)).ok_or_else(wrong)?;
-    let split = |s: &str| -> Option<(f64, String)> {
-        let end = s
-            .char_indices()
-            .map(|(i, _)| i)
-            .chain([s.len()])
-            .rev()
-            .find(|&i| s.get(..i).is_some_and(|head| head.trim().parse::<f64>().is_ok()))?;
-        Some((s.get(..end)?.trim().parse().ok()?, s.get(end..)?.trim().to_owned()))
-    };
-    let ((a, unit_a), (b, unit_b)) = (split(from).ok_or_else(wrong)?, split(to).ok_or_else(wrong)?);
-    if unit_a != unit_b {
-        return Err(Failure::new("C0106", format!("--sweep {text}: both ends need the same unit"))
-            .with_help("for example `--sweep theta=-10deg:10deg:5`"));
-    }
-    let step = |k: usize| if count == 1 { a } else { a + (b - a) * k as f64 / (count - 1) as f64 };
-    Ok((0..count).map(|k| format!("{name}={:?}{unit_a}", step(k))).collect())
-}
-
 /// Rows of the accelerations and actuator states; columns states | inputs.
 fn rows_of_rates(model: &LinearModel, states: &[&str], inputs: &[String], n: usize) -> String {
     let head = |i: usize| if i < 2 * n { format!("{}''", states[i - n]) } else { prime(&format!("{}.dot", states[i])) };
@@ -181,6 +166,40 @@ fn rows_of_rates(model: &LinearModel, states: &[&str], inputs: &[String], n: usi
     let rows: Vec<(String, Vec<f64>)> =
         (n..states.len()).map(|i| (head(i), model.a.row(i).iter().chain(model.b.row(i).iter()).copied().collect())).collect();
     format!("\n{}", table(&columns, &rows, states.len()))
+}
+
+/// Name of a file, without its folder.
+pub fn source_name(path: &std::path::Path) -> String {
+    path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+}
+
+/// A, B, C, D, the point and its drift for other programs; pages where there are several points.
+pub fn add_models(workspace: &mut Workspace, models: &[&Linearized], inputs: &Inputs, sweep: Option<&Sweep>) {
+    let pages = |of: &dyn Fn(&Linearized) -> DMatrix<f64>| Item::Pages(models.iter().map(|l| of(l)).collect());
+    let columns = |of: &dyn Fn(&Linearized) -> Vec<f64>| {
+        let columns: Vec<Vec<f64>> = models.iter().map(|l| of(l)).collect();
+        let rows = columns.first().map_or(0, Vec::len);
+        Item::Pages(vec![DMatrix::from_fn(rows, columns.len(), |i, j| columns[j][i])])
+    };
+    workspace.items.extend([
+        ("A", pages(&|l| l.model.a.clone())),
+        ("B", pages(&|l| l.model.b.clone())),
+        ("C", pages(&|l| l.model.c.clone())),
+        ("D", pages(&|l| l.model.d.clone())),
+        ("x0", columns(&|l| l.found.trim.x.clone())),
+        ("u0", columns(&|l| (&inputs.rows * nalgebra::DVector::from_column_slice(&l.found.trim.u)).as_slice().to_vec())),
+        ("dx0", columns(&|l| l.model.drift.clone())),
+    ]);
+    if let Some(sweep) = sweep {
+        workspace.items.push(("sweep", Workspace::column(&sweep.values)));
+        workspace.items.push(("sweep_name", Item::Names(vec![sweep.name.clone()])));
+    }
+}
+
+/// Names of states, inputs and outputs.
+pub fn add_names(workspace: &mut Workspace, states: &[&str], inputs: &[String], outputs: &[&str]) {
+    let owned = |list: &[&str]| Item::Names(list.iter().map(|s| (*s).to_owned()).collect());
+    workspace.items.extend([("states", owned(states)), ("inputs", Item::Names(inputs.to_vec())), ("outputs", owned(outputs))]);
 }
 
 fn document(loaded: &Loaded, model: &InProcess, linear: &Linearized, states: &[&str]) -> Value {

@@ -1,6 +1,7 @@
 //! One file a subcommand.
 
 mod check;
+mod closed_loop;
 mod compare;
 mod demo;
 mod diagnose;
@@ -9,7 +10,7 @@ mod eval;
 mod export;
 mod generate;
 mod identify;
-mod linearize;
+pub mod linearize;
 mod lqr;
 mod show;
 mod simulate;
@@ -36,6 +37,7 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Identify(a) => identify::run(&a),
         Command::Lqr(a) => lqr::run(&a),
         Command::Simulate(a) => simulate::run(&a),
+        Command::ClosedLoop(a) => closed_loop::run(&a),
         Command::Compare(a) => compare::run(&a),
     }
 }

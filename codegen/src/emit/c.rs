@@ -104,20 +104,31 @@ pub fn c(equations: &Equations, source: &str) -> CSource {
 /// with the static functions that it calls before it.
 #[must_use]
 pub fn c_function(graph: &Graph, name: &str, arguments: &[SymbolId], results: &[Id]) -> String {
+    c_function_with(graph, name, arguments, &[], results)
+}
+
+/// The same, with symbols that have values of their own.
+pub(super) fn c_function_with(graph: &Graph, name: &str, arguments: &[SymbolId], constants: &[(SymbolId, f64)], results: &[Id]) -> String {
     let mut names = Names::new(Language::C, &[CALLED_C, &["y"]].concat());
-    let given: Vec<String> = arguments.iter().map(|&s| names.take(&graph.symbol_info(s).name)).collect();
+    let symbols: Vec<SymbolId> = arguments.iter().copied().chain(constants.iter().map(|c| c.0)).collect();
+    let given: Vec<String> = symbols.iter().map(|&s| names.take(&graph.symbol_info(s).name)).collect();
     let vocabulary = Vocabulary::new(Language::C, graph, |s, _| {
-        let text = arguments.iter().position(|&a| a == s).map_or_else(|| "NAN".to_owned(), |i| given[i].clone());
+        let text = symbols.iter().position(|&a| a == s).map_or_else(|| "NAN".to_owned(), |i| given[i].clone());
         (text.clone(), text)
     });
     let plan = plan(graph, &vocabulary, names, results);
-    let mut typed: Vec<String> = given.iter().map(|a| format!("double {a}")).collect();
+    let mut typed: Vec<String> = given.iter().take(arguments.len()).map(|a| format!("double {a}")).collect();
     typed.push(format!("double y[{}]", results.len()));
     let mut out = helpers(&plan.calls);
     let _ = writeln!(out, "void {}({})\n{{", identifier(Language::C, name), typed.join(", "));
     let read = plan.symbols();
     for (a, _) in given.iter().zip(arguments).filter(|(_, s)| !read.contains(s)) {
         let _ = writeln!(out, "    (void){a};");
+    }
+    for ((symbol, value), name) in constants.iter().zip(&given[arguments.len()..]).filter(|((s, _), _)| read.contains(s)) {
+        let remark = super::rust::remark(graph, *symbol, name, "/*");
+        let close = if remark.is_empty() { "" } else { " */" };
+        let _ = writeln!(out, "    const double {name} = {};{remark}{close}", super::form::number(*value));
     }
     for statement in &plan.statements {
         write_statement(&mut out, statement);

@@ -7,6 +7,7 @@
 mod about;
 mod c;
 mod casadi;
+pub mod controller;
 mod declared;
 mod form;
 mod functions;

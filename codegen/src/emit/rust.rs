@@ -62,10 +62,22 @@ pub fn rust_model_name(equations: &Equations) -> String {
 /// It calls functions of `runtime::math` by their names.
 #[must_use]
 pub fn rust_function(graph: &Graph, name: &str, arguments: &[SymbolId], results: &[Id]) -> String {
+    rust_function_with(graph, name, arguments, &[], results).0
+}
+
+/// The same, with symbols that have values of their own; and the names of `runtime::math` that it calls.
+pub(super) fn rust_function_with(
+    graph: &Graph,
+    name: &str,
+    arguments: &[SymbolId],
+    constants: &[(SymbolId, f64)],
+    results: &[Id],
+) -> (String, BTreeSet<&'static str>) {
     let mut names = Names::new(Language::Rust, CALLED_RUST);
-    let given: Vec<String> = arguments.iter().map(|&s| names.take(&graph.symbol_info(s).name)).collect();
+    let symbols: Vec<SymbolId> = arguments.iter().copied().chain(constants.iter().map(|c| c.0)).collect();
+    let given: Vec<String> = symbols.iter().map(|&s| names.take(&graph.symbol_info(s).name)).collect();
     let vocabulary = Vocabulary::new(Language::Rust, graph, |s, _| {
-        let text = arguments.iter().position(|&a| a == s).map_or_else(|| "f64::NAN".to_owned(), |i| given[i].clone());
+        let text = symbols.iter().position(|&a| a == s).map_or_else(|| "f64::NAN".to_owned(), |i| given[i].clone());
         (text.clone(), text)
     });
     let plan = plan(graph, &vocabulary, names, results);
@@ -73,12 +85,21 @@ pub fn rust_function(graph: &Graph, name: &str, arguments: &[SymbolId], results:
     let typed: Vec<String> =
         given.iter().zip(arguments).map(|(a, s)| format!("{}{a}: f64", if read.contains(s) { "" } else { "_" })).collect();
     let mut out = format!("pub fn {}({}) -> [f64; {}] {{\n", identifier(Language::Rust, name), typed.join(", "), results.len());
+    for ((symbol, value), name) in constants.iter().zip(&given[arguments.len()..]).filter(|((s, _), _)| read.contains(s)) {
+        let _ = writeln!(out, "    let {name} = {};{}", super::form::number(*value), remark(graph, *symbol, name, "//"));
+    }
     for statement in &plan.statements {
         write_statement(&mut out, statement, 4);
     }
     write_list(&mut out, 4, "[", &plan.results, &[], "]");
     out.push_str("}\n");
-    out
+    (out, plan.calls)
+}
+
+/// The rig's name of a constant, where the language could not take it.
+pub(super) fn remark(graph: &Graph, symbol: SymbolId, name: &str, mark: &str) -> String {
+    let own = &graph.symbol_info(symbol).name;
+    if own == name { String::new() } else { format!(" {mark} {own}") }
 }
 
 /// Names of fields and types.
