@@ -40,7 +40,7 @@ pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
         progress: &|message| eprintln!("{message}"),
         ..Options::default()
     };
-    let found = diagnose::diagnose(&base, &specs, &train, &test, &options).map_err(|e| Failure::new("C0601", e.to_string()))?;
+    let found = diagnose::diagnose(&base, &specs, &train, &test, &options).map_err(|e| Failure::new("C0701", e.to_string()))?;
     let mut text = words(&base.rig.name, &train, &test, &found);
     let mut document = document(&found);
     if let Some(out) = &args.out {
@@ -54,8 +54,8 @@ pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
 }
 
 fn own_effects(path: &Path) -> Result<Vec<Effect>, Failure> {
-    let text = std::fs::read_to_string(path).map_err(|e| Failure::new("C0602", format!("{}: {e}", path.display())))?;
-    read_own(&text).map_err(|e| Failure::new("C0602", format!("{}: {e}", path.display())))
+    let text = std::fs::read_to_string(path).map_err(|e| Failure::new("C0702", format!("{}: {e}", path.display())))?;
+    read_own(&text).map_err(|e| Failure::new("C0702", format!("{}: {e}", path.display())))
 }
 
 /// Writes the patched rig and the files that it uses, side by side.
