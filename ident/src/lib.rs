@@ -1,10 +1,11 @@
 //! Measured records, how well a model's free run follows them, and parameters fitted to them.
 //!
 //! [`record`] reads records as they are (CSV, MATLAB, or a description of another lab's file) and matches them to a
-//! model; [`compare`] lays a free run over one, [`fit`] identifies. Knows models through [`runtime::Model`] only; of the rig language only its
+//! model; [`preflight`] inspects them, [`compare`] lays a free run over one, [`fit`] identifies. Knows models through [`runtime::Model`] only; of the rig language only its
 //! units.
 #![forbid(unsafe_code)]
 
 pub mod compare;
 pub mod fit;
+pub mod preflight;
 pub mod record;

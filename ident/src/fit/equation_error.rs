@@ -12,7 +12,7 @@ use super::covariance;
 use super::data::Data;
 use super::error::FitError;
 use super::filter::{Butterworth, rates};
-use super::minimize::{Ending, Evaluation, LevenbergMarquardt, Limits, Minimizer, Objective};
+use super::minimize::{Ending, Evaluation, LevenbergMarquardt, Limits, Minimizer, Minimum, Objective};
 use super::objective::Rows;
 use super::options::FitOptions;
 use super::specification::ParameterSpec;
@@ -78,34 +78,8 @@ pub(crate) fn fit(
     data: &[Data],
     preparation: Preparation,
 ) -> Result<EquationErrorFit, FitError> {
-    let base: Vec<f64> = specs.iter().map(|s| s.value).collect();
-    let records = data.iter().map(|d| Samples::new(model, &base, d, preparation)).collect::<Result<Vec<_>, _>>()?;
-    let mut unknowns = Vec::new();
-    let mut columns = vec![Vec::new(); data.len()];
-    let mut parameters = Vec::new();
-    for (i, s) in specs.iter().enumerate().filter(|(_, s)| s.free) {
-        parameters.push(i);
-        for (r, columns) in columns.iter_mut().enumerate() {
-            if s.per_record || r == 0 {
-                unknowns.push((i, s.per_record.then_some(r)));
-            }
-            columns.push(unknowns.len() - 1);
-        }
-    }
-    let n = model.dimensions().coordinates;
-    let mut problem = EquationError { model, specs, base, records, unknowns, columns, parameters, weights: vec![1.0; n], evaluations: 0 };
-    let start: Vec<f64> = problem.unknowns.iter().map(|&(i, _)| specs[i].value).collect();
-    problem.weigh(&start, true);
-    let limits = Limits::default();
-    let mut found = LevenbergMarquardt.minimize(&mut problem, &start, &limits);
-    // each equation by its own error, once the parameters are about right
-    for _ in 0..3 {
-        problem.weigh(&found.x, false);
-        found = LevenbergMarquardt.minimize(&mut problem, &found.x, &limits);
-    }
-    let Some(at) = found.at.clone() else {
-        return Err(FitError::EquationError { why: "the mass matrix is singular along the measured motion".to_owned() });
-    };
+    let (problem, found) = solve(model, specs, data, preparation, &Limits::default())?;
+    let at = found.at.as_ref().ok_or_else(singular)?;
     let (rows, error_percent) = problem.rows(&found.x);
     let held: Vec<bool> =
         problem.unknowns.iter().zip(&found.x).map(|(&(i, _), &x)| specs[i].bounds.is_some_and(|(lo, hi)| x <= lo || x >= hi)).collect();
@@ -135,6 +109,57 @@ pub(crate) fn fit(
         ending: found.ending,
         evaluations: problem.evaluations,
     })
+}
+
+/// Error of each coordinate's equation in percent of its measured side, after a search that may be short.
+pub(crate) fn unexplained(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    data: &[Data],
+    preparation: Preparation,
+    limits: &Limits,
+) -> Result<Vec<(String, f64)>, FitError> {
+    let (problem, found) = solve(model, specs, data, preparation, limits)?;
+    found.at.as_ref().ok_or_else(singular)?;
+    Ok(problem.rows(&found.x).1)
+}
+
+fn singular() -> FitError {
+    FitError::EquationError { why: "the mass matrix is singular along the measured motion".to_owned() }
+}
+
+fn solve<'a>(
+    model: &'a dyn Model,
+    specs: &'a [ParameterSpec],
+    data: &[Data],
+    preparation: Preparation,
+    limits: &Limits,
+) -> Result<(EquationError<'a>, Minimum), FitError> {
+    let base: Vec<f64> = specs.iter().map(|s| s.value).collect();
+    let records = data.iter().map(|d| Samples::new(model, &base, d, preparation)).collect::<Result<Vec<_>, _>>()?;
+    let mut unknowns = Vec::new();
+    let mut columns = vec![Vec::new(); data.len()];
+    let mut parameters = Vec::new();
+    for (i, s) in specs.iter().enumerate().filter(|(_, s)| s.free) {
+        parameters.push(i);
+        for (r, columns) in columns.iter_mut().enumerate() {
+            if s.per_record || r == 0 {
+                unknowns.push((i, s.per_record.then_some(r)));
+            }
+            columns.push(unknowns.len() - 1);
+        }
+    }
+    let n = model.dimensions().coordinates;
+    let mut problem = EquationError { model, specs, base, records, unknowns, columns, parameters, weights: vec![1.0; n], evaluations: 0 };
+    let start: Vec<f64> = problem.unknowns.iter().map(|&(i, _)| specs[i].value).collect();
+    problem.weigh(&start, true);
+    let mut found = LevenbergMarquardt.minimize(&mut problem, &start, limits);
+    // each equation by its own error, once the parameters are about right
+    for _ in 0..3 {
+        problem.weigh(&found.x, false);
+        found = LevenbergMarquardt.minimize(&mut problem, &found.x, limits);
+    }
+    Ok((problem, found))
 }
 
 /// Measured motion and the functionals that make equations of it.
@@ -263,7 +288,7 @@ fn bumps(t: &[f64], window: usize) -> Vec<Bump> {
 }
 
 /// Measured coordinates, from outputs: Newton's steps, each sample from the one before.
-fn coordinates(model: &dyn Model, p: &[f64], data: &Data) -> Result<Vec<Vec<f64>>, FitError> {
+pub(crate) fn coordinates(model: &dyn Model, p: &[f64], data: &Data) -> Result<Vec<Vec<f64>>, FitError> {
     let d = model.dimensions();
     let (n, states, rows) = (d.coordinates, d.states(), data.outputs.len());
     let mut x = vec![0.0; states];

@@ -1,0 +1,118 @@
+//! The delay from an input to the motion, by correlation.
+//!
+//! What the model does not explain with the input held at its mean, q'' - a(q, v, mean u), is correlated with what the input
+//! would add, (da/du)(u(t - d) - mean u), over d. Needs no run and no fit. Inputs that act through a lag are left out: lag and
+//! delay cannot be told apart like this.
+
+use crate::fit::{Data, rates};
+use runtime::Model;
+
+/// Delay of one input.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Delay {
+    /// Input.
+    pub input: String,
+    /// Coordinate in which it shows best.
+    pub coordinate: String,
+    /// Delay beyond the one that the rig declares [s].
+    pub seconds: f64,
+    /// Correlation there.
+    pub correlation: f64,
+}
+
+/// Correlations below this say nothing.
+const LEAST: f64 = 0.5;
+/// Longest delay that is looked for [s].
+const LONGEST: f64 = 0.5;
+
+/// Delays of the inputs of one record; `q[i]` are the coordinates at its samples.
+pub(super) fn delays(model: &dyn Model, p: &[f64], data: &Data, q: &[Vec<f64>], window: f64) -> Vec<Delay> {
+    let d = model.dimensions();
+    let (n, states, count) = (d.coordinates, d.states(), data.times.len());
+    if d.lags > 0 || count < 50 {
+        return Vec::new();
+    }
+    let t = &data.times;
+    let period = (t[count - 1] - t[0]) / (count - 1) as f64;
+    // short against the motion, so that edges stay where they are; the window is symmetric
+    let samples = ((0.3 * window / period) as usize).max(8);
+    let v: Vec<Vec<f64>> = q.iter().map(|q| rates(t, q, samples)).collect();
+    let a: Vec<Vec<f64>> = v.iter().map(|v| rates(t, v, samples)).collect();
+    let u: Vec<Vec<f64>> = t.iter().map(|&t| data.inputs(model, p, t)).collect();
+    let mut found = Vec::new();
+    for j in 0..d.inputs {
+        let mean = u.iter().map(|u| u[j]).sum::<f64>() / count as f64;
+        let drive: Vec<f64> = u.iter().map(|u| u[j] - mean).collect();
+        if drive.iter().all(|x| x.abs() < 1e-9 * (1.0 + mean.abs())) {
+            continue;
+        }
+        let mut rest = vec![vec![0.0; count]; n];
+        let mut gain = vec![vec![0.0; count]; n];
+        let (mut dx, mut jacobian, mut b) = (vec![0.0; states], vec![0.0; states * states], vec![0.0; states * d.signals()]);
+        let mut x = vec![0.0; states];
+        for k in 0..count {
+            for i in 0..n {
+                (x[i], x[n + i]) = (q[i][k], v[i][k]);
+            }
+            let mut held = u[k].clone();
+            held[j] = mean;
+            if model.linearize(t[k], &x, &held, p, &mut dx, &mut jacobian, &mut b).is_err() {
+                return found;
+            }
+            for i in 0..n {
+                rest[i][k] = a[i][k] - dx[n + i];
+                gain[i][k] = b[(n + i) * d.signals() + j];
+            }
+        }
+        // twice smoothed as the accelerations are, so that both sides have the same bandwidth
+        let smooth = |s: &[f64]| {
+            let half = samples / 2;
+            let mut sums = vec![0.0];
+            s.iter().for_each(|x| sums.push(sums[sums.len() - 1] + x));
+            (0..s.len())
+                .map(|k| {
+                    let (from, to) = (k.saturating_sub(half), (k + half + 1).min(s.len()));
+                    (sums[to] - sums[from]) / (to - from) as f64
+                })
+                .collect::<Vec<f64>>()
+        };
+        let drive = smooth(&smooth(&drive));
+        let reach = ((LONGEST / period) as usize).min(count / 4);
+        let best = (0..n)
+            .filter_map(|i| {
+                let at = |shift: usize| correlation(&rest[i][shift..], &gain[i][shift..], &drive[..count - shift]);
+                let values: Vec<f64> = (0..=reach).map(at).collect();
+                let k = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
+                // between samples: the vertex of a parabola
+                let vertex = match (k.checked_sub(1).map(|l| values[l]), values.get(k + 1)) {
+                    (Some(l), Some(r)) if l - 2.0 * values[k] + r < 0.0 => 0.5 * (l - r) / (l - 2.0 * values[k] + r),
+                    _ => 0.0,
+                };
+                Some((i, (k as f64 + vertex) * period, values[k]))
+            })
+            .max_by(|a, b| a.2.total_cmp(&b.2));
+        if let Some((i, seconds, correlation)) = best.filter(|b| b.2 > LEAST) {
+            found.push(Delay {
+                input: model.names().signal(j).to_owned(),
+                coordinate: model.names().state(i).to_owned(),
+                seconds: if seconds < 0.5 * period { 0.0 } else { seconds },
+                correlation,
+            });
+        }
+    }
+    found
+}
+
+/// Of y with g u, about zero means.
+fn correlation(y: &[f64], g: &[f64], u: &[f64]) -> f64 {
+    let n = y.len() as f64;
+    let w: Vec<f64> = g.iter().zip(u).map(|(g, u)| g * u).collect();
+    let (my, mw) = (y.iter().sum::<f64>() / n, w.iter().sum::<f64>() / n);
+    let (mut yw, mut yy, mut ww) = (0.0, 0.0, 0.0);
+    for (y, w) in y.iter().zip(&w) {
+        yw += (y - my) * (w - mw);
+        yy += (y - my).powi(2);
+        ww += (w - mw).powi(2);
+    }
+    if yy > 0.0 && ww > 0.0 { yw / (yy * ww).sqrt() } else { 0.0 }
+}

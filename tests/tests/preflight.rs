@@ -1,0 +1,193 @@
+//! Preflight on simulated records of five rigs: clean ones pass, every usual mistake is found.
+
+use codegen::{Options, derive};
+use cross_checks::{random::Random, record_folder, rig_of, root};
+use ident::fit::ParameterSpec;
+use ident::preflight::{Change, FaultKind, Preflight, inspect};
+use ident::record::{Column, Record, Start, read_with};
+use jit::InProcess;
+use runtime::Model;
+use sim::{Hold, Signal, Signals, encoder, simulate};
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write;
+
+/// A rig, how it is driven, and how it starts.
+struct Case {
+    rig: &'static str,
+    seconds: f64,
+    rate: f64,
+    /// Level and amplitude of each input, and its lowest frequency [Hz].
+    inputs: Vec<(f64, f64, f64)>,
+    /// Coordinates at the start.
+    start: Vec<f64>,
+    /// Encoder steps that the rig does not declare.
+    steps: Vec<f64>,
+}
+
+fn cases() -> Vec<Case> {
+    vec![
+        Case {
+            rig: "googol_mrb",
+            seconds: 25.0,
+            rate: 200.0,
+            inputs: vec![(2.35, 0.35, 0.08), (2.35, 0.3, 0.13)],
+            start: vec![0.0, -0.3, 0.0],
+            steps: vec![0.0; 3],
+        },
+        Case {
+            rig: "quanser",
+            seconds: 25.0,
+            rate: 200.0,
+            inputs: vec![(0.0, 1.2, 0.08), (0.0, 1.0, 0.13)],
+            start: vec![0.0, -0.1, 0.0],
+            steps: vec![0.0; 3],
+        },
+        Case { rig: "furuta", seconds: 12.0, rate: 200.0, inputs: vec![(0.0, 0.004, 0.5)], start: vec![0.0, 0.4], steps: vec![TAU / 2048.0; 2] },
+        Case { rig: "cart_pole", seconds: 15.0, rate: 100.0, inputs: vec![(0.0, 2.0, 0.3)], start: vec![0.0, PI - 0.3], steps: vec![1e-4, TAU / 4096.0] },
+        Case { rig: "emps", seconds: 12.0, rate: 500.0, inputs: vec![(0.0, 2.5, 0.4)], start: vec![0.1], steps: vec![1e-5] },
+    ]
+}
+
+struct Made {
+    model: InProcess,
+    specs: Vec<ParameterSpec>,
+    record: Record,
+}
+
+fn example(name: &str) -> (InProcess, Vec<ParameterSpec>) {
+    let rig = rig_of(&root().join(format!("examples/rigs/{name}.rig")));
+    (InProcess::new(derive(&rig, Options::default()).unwrap()), ParameterSpec::of_rig(&rig))
+}
+
+/// A record of a rig whose free parameters are 20 % off, with noise of a third of a step and quantized.
+fn made(case: &Case, seed: u64) -> Made {
+    let (model, specs) = example(case.rig);
+    let mut random = Random::new(seed);
+    let p: Vec<f64> = specs.iter().map(|s| if s.free { s.value * random.within(0.8, 1.25) } else { s.value }).collect();
+    let d = model.dimensions();
+    let t: Vec<f64> = (0..(case.seconds * case.rate) as usize).map(|k| k as f64 / case.rate).collect();
+    let inputs: Vec<Vec<f64>> = case
+        .inputs
+        .iter()
+        .map(|&(level, amplitude, lowest)| {
+            let waves: Vec<(f64, f64)> = (0..5).map(|k| (lowest * 1.7_f64.powi(k), random.within(0.0, TAU))).collect();
+            t.iter().map(|t| level + amplitude * waves.iter().map(|(f, phase)| (TAU * f * t + phase).sin()).sum::<f64>() / 2.0).collect()
+        })
+        .collect();
+    let signals =
+        Signals::new(inputs.iter().map(|u| Signal { t: t.clone(), values: u.clone(), hold: Hold::Zero }).collect()).unwrap();
+    let mut x = vec![0.0; d.states()];
+    x[..d.coordinates].copy_from_slice(&case.start);
+    let options = sim::Options { relative: 1e-7, absolute: 1e-9, ..sim::Options::default() };
+    let run = simulate(&model, &p, &x, &signals, &t, &options).unwrap();
+    assert_eq!(run.t.len(), t.len(), "{}: {}", case.rig, run.status);
+    let mut columns: Vec<Column> = (0..d.outputs)
+        .map(|i| {
+            let mut path = model.output_path(i, &p);
+            path.quantum = path.quantum.max(case.steps[i]);
+            let values = run.output(i).iter().map(|y| encoder(y + path.quantum * random.within(-0.6, 0.6), &path)).collect();
+            Column { name: model.names().output(i).to_owned(), unit: None, values }
+        })
+        .collect();
+    columns.extend(inputs.into_iter().enumerate().map(|(i, values)| Column { name: model.names().signal(i).to_owned(), unit: None, values }));
+    let record = Record { source: format!("{}.csv", case.rig), t, columns, declared: Vec::new(), start: Start::Free };
+    Made { model, specs, record }
+}
+
+fn look(made: &Made, record: &Record) -> Preflight {
+    inspect(&made.model, &made.specs, std::slice::from_ref(record), Hold::Zero).unwrap()
+}
+
+fn column<'a>(record: &'a mut Record, name: &str) -> &'a mut Vec<f64> {
+    &mut record.columns.iter_mut().find(|c| c.name == name).unwrap().values
+}
+
+/// Every usual mistake of a rig, and the change that undoes it.
+fn mistakes(made: &Made) -> Vec<(Change, Record)> {
+    let d = made.model.dimensions();
+    let names = made.model.names();
+    let outputs: Vec<(String, String)> = (0..d.outputs).map(|i| (names.output(i).to_owned(), names.output_unit(i).to_owned())).collect();
+    let inputs: Vec<(String, String)> = (0..d.inputs).map(|i| (names.signal(i).to_owned(), names.signal_unit(i).to_owned())).collect();
+    let mut list = Vec::new();
+    for (k, (name, unit)) in outputs.iter().chain(&inputs).enumerate() {
+        let mut wrong = made.record.clone();
+        column(&mut wrong, name).iter_mut().for_each(|y| *y = -*y);
+        list.push((if k < outputs.len() { Change::SignOfOutput(name.clone()) } else { Change::SignOfInput(name.clone()) }, wrong));
+        if k < outputs.len() && unit == "rad" {
+            let mut wrong = made.record.clone();
+            column(&mut wrong, name).iter_mut().for_each(|y| *y = y.to_degrees());
+            list.push((Change::Degrees(name.clone()), wrong));
+        }
+    }
+    for (of, outs) in [(&outputs, true), (&inputs, false)] {
+        for (k, (a, unit)) in of.iter().enumerate() {
+            for (b, _) in of[k + 1..].iter().filter(|(_, other)| other == unit) {
+                let mut wrong = made.record.clone();
+                let (ya, yb) = (column(&mut wrong, a).clone(), column(&mut wrong, b).clone());
+                *column(&mut wrong, a) = yb;
+                *column(&mut wrong, b) = ya;
+                list.push((if outs { Change::SwapOutputs(a.clone(), b.clone()) } else { Change::SwapInputs(a.clone(), b.clone()) }, wrong));
+            }
+        }
+    }
+    list
+}
+
+fn suspects(found: &Preflight) -> Vec<(&Change, &[Change])> {
+    found
+        .faults
+        .iter()
+        .filter_map(|f| match &f.kind {
+            FaultKind::Contradicts(s) => Some((&s.change, s.alternatives.as_slice())),
+            _ => None,
+        })
+        .collect()
+}
+
+#[test]
+fn clean_records_pass_and_every_mistake_is_found() {
+    let mut table = String::new();
+    let mut missed = 0;
+    for case in cases() {
+        let made = made(&case, 1);
+        let began = std::time::Instant::now();
+        let clean = look(&made, &made.record);
+        for f in &clean.faults {
+            missed += 1;
+            let _ = writeln!(table, "{:12} clean: {}", case.rig, f.sentence());
+        }
+        let facts = &clean.records[0];
+        let _ = writeln!(
+            table,
+            "{:12} clean: {} faults; unexplained {}; not told {:?}; {:?}",
+            case.rig,
+            clean.faults.len(),
+            facts.unexplained.iter().map(|(n, e)| format!("{n} {e:.3}")).collect::<Vec<_>>().join(", "),
+            facts.untold.iter().map(Change::claim).collect::<Vec<_>>(),
+            facts.not_judged
+        );
+        for (change, wrong) in mistakes(&made) {
+            let found = look(&made, &wrong);
+            let listed = suspects(&found);
+            let first = listed.first().is_some_and(|(c, or)| **c == change || or.contains(&change));
+            if !first || listed.len() != 1 {
+                missed += 1;
+            }
+            let words: Vec<String> = listed
+                .iter()
+                .map(|(c, or)| std::iter::once(*c).chain(or.iter()).map(Change::claim).collect::<Vec<_>>().join(" OR "))
+                .collect();
+            let _ = writeln!(
+                table,
+                "{:12} {:8} {:42} found: {}",
+                case.rig,
+                if first && listed.len() == 1 { "ok" } else { "MISSED" },
+                change.claim(),
+                words.join(" AND ")
+            );
+        }
+        let _ = writeln!(table, "{:12} {:.1} s", case.rig, began.elapsed().as_secs_f64());
+    }
+    println!("{table}");
+    assert_eq!(missed, 0, "\n{table}");
+}
