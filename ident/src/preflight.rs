@@ -199,10 +199,12 @@ fn by_model(
     facts.unexplained = verdict.as_it_is.unexplained.iter().map(|(n, e)| (n.clone(), e.sqrt())).collect();
     facts.untold = verdict.untold;
     if verdict.suspects.is_empty() {
-        let p: Vec<f64> = specs.iter().map(|s| s.value).collect();
+        let p = &verdict.as_it_is.p;
         let data = Data::new(record, model, hold)?;
-        let q = measured_coordinates(model, &p, &data)?;
-        facts.delays = delay::delays(model, &p, &data, &q, window);
+        let q = measured_coordinates(model, p, &data)?;
+        // a rest that the model does not explain has delays of its own
+        let told: Vec<usize> = (0..q.len()).filter(|&i| verdict.as_it_is.unexplained[i].1.sqrt() < delay::EXPLAINED).collect();
+        facts.delays = delay::delays(model, p, &data, &q, window, &told);
     }
     Ok(verdict.suspects)
 }

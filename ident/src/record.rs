@@ -115,6 +115,11 @@ pub fn read_with(path: &Path, data: Option<&Path>) -> Result<Record, RecordError
     }
 }
 
+/// The two (or more) named columns of a CSV file without time, in SI.
+pub(crate) fn named_columns(path: &Path) -> Result<Vec<Column>, RecordError> {
+    Ok(header::columns(path, "V [V], f [N]")?.0)
+}
+
 /// Checks time stamps and makes the record. `row_word` and `rows` say where row k stands in the file.
 fn finish(
     source: &Path,

@@ -5,11 +5,15 @@ mod compare;
 mod demo;
 mod diff;
 mod eval;
+mod excite;
 mod export;
+mod fit_map;
 mod generate;
 mod identify;
 mod linearize;
 mod lqr;
+mod new;
+mod preflight;
 mod show;
 mod simulate;
 mod trim;
@@ -35,6 +39,10 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Lqr(a) => lqr::run(&a),
         Command::Simulate(a) => simulate::run(&a),
         Command::Compare(a) => compare::run(&a),
+        Command::Preflight(a) => preflight::run(&a),
+        Command::New(a) => new::run(&a),
+        Command::Excite(a) => excite::run(&a),
+        Command::FitMap(a) => fit_map::run(&a),
     }
 }
 

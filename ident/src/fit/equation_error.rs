@@ -111,17 +111,18 @@ pub(crate) fn fit(
     })
 }
 
-/// Error of each coordinate's equation in percent of its measured side, after a search that may be short.
+/// Error of each coordinate's equation in percent of its measured side, after a search that may be short, and the parameters
+/// of the first record there.
 pub(crate) fn unexplained(
     model: &dyn Model,
     specs: &[ParameterSpec],
     data: &[Data],
     preparation: Preparation,
     limits: &Limits,
-) -> Result<Vec<(String, f64)>, FitError> {
+) -> Result<(Vec<(String, f64)>, Vec<f64>), FitError> {
     let (problem, found) = solve(model, specs, data, preparation, limits)?;
     found.at.as_ref().ok_or_else(singular)?;
-    Ok(problem.rows(&found.x).1)
+    Ok((problem.rows(&found.x).1, problem.parameters_of(&found.x, 0)))
 }
 
 fn singular() -> FitError {

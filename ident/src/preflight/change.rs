@@ -71,7 +71,10 @@ impl Change {
             Self::Degrees(a) => format!("`{a}` is in degrees, but read as radians"),
             Self::Radians(a) => format!("`{a}` is in radians, but read as degrees"),
             Self::HalfTurn(a) => format!("`{a}` is logged half a turn away from the rig's zero"),
-            Self::Offset(a, by) => format!("the encoder of `{a}` started at zero away from the rig's zero, at {}", degrees(*by)),
+            Self::Offset(a, by) => format!(
+                "the rest of the rig is not where `{a}` is zero: its encoder was switched on at {} of the rig, or the rig's masses and lengths are off",
+                degrees(*by)
+            ),
             Self::Foreign(names) => format!(
                 "the logged {} {} not what drove the rig here",
                 names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(", "),
@@ -96,7 +99,7 @@ impl Change {
                 format!("in a description: `{a} = {{ .., offset = {PI:.4} }}` (or 180 with `unit = \"deg\"`); or count it so in the rig")
             }
             Self::Offset(a, by) => {
-                format!("in the rig: `encoder {a}: .. zero at {}`; or in a description `{a} = {{ .., offset = .. }}`", degrees(*by))
+                format!("if the encoder was zeroed there, write `encoder {a}: .. zero at {}` in the rig; otherwise free the masses", degrees(*by))
             }
             Self::Foreign(_) => "check that input and output come from one run, and that their clocks start together".to_owned(),
             Self::SignOfParameter(a) => format!("turn the sign of `{a}`, or look for the axis or the direction of gravity that it hangs on"),

@@ -137,7 +137,9 @@ fn rest_noise(t: &[f64], values: &[f64]) -> f64 {
         }
         from = to;
     }
-    if least.is_finite() { least } else { 0.0 }
+    let (lo, hi) = range_of(values);
+    // rounding is no noise
+    if least.is_finite() && least > 1e-9 * lo.abs().max(hi.abs()) { least } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -21,12 +21,15 @@ pub struct Delay {
 }
 
 /// Correlations below this say nothing.
-const LEAST: f64 = 0.5;
+const LEAST: f64 = 0.8;
+/// Equations of which the model leaves more than this unexplained say nothing either (ratio of amplitudes).
+pub(super) const EXPLAINED: f64 = 0.4;
 /// Longest delay that is looked for [s].
 const LONGEST: f64 = 0.5;
 
-/// Delays of the inputs of one record; `q[i]` are the coordinates at its samples.
-pub(super) fn delays(model: &dyn Model, p: &[f64], data: &Data, q: &[Vec<f64>], window: f64) -> Vec<Delay> {
+/// Delays of the inputs of one record; `q[i]` are the coordinates at its samples, `told` those
+/// whose equations the model explains.
+pub(super) fn delays(model: &dyn Model, p: &[f64], data: &Data, q: &[Vec<f64>], window: f64, told: &[usize]) -> Vec<Delay> {
     let d = model.dimensions();
     let (n, states, count) = (d.coordinates, d.states(), data.times.len());
     if d.lags > 0 || count < 50 {
@@ -78,8 +81,9 @@ pub(super) fn delays(model: &dyn Model, p: &[f64], data: &Data, q: &[Vec<f64>], 
         };
         let drive = smooth(&smooth(&drive));
         let reach = ((LONGEST / period) as usize).min(count / 4);
-        let best = (0..n)
-            .filter_map(|i| {
+        let best = told
+            .iter()
+            .filter_map(|&i| {
                 let at = |shift: usize| correlation(&rest[i][shift..], &gain[i][shift..], &drive[..count - shift]);
                 let values: Vec<f64> = (0..=reach).map(at).collect();
                 let k = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;

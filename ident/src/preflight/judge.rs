@@ -25,6 +25,8 @@ pub(super) struct Judgement {
     pub unexplained: Vec<(String, f64)>,
     /// Windows that do not overlap by more than half: about so many independent equations a coordinate.
     pub windows: f64,
+    /// Parameters that explain it so well.
+    pub p: Vec<f64>,
 }
 
 impl Judgement {
@@ -72,10 +74,11 @@ impl Judge<'_> {
         let window = ((self.window / period).round() as usize).max(8);
         let limits = Limits { evaluations: 30, gradient: 1e-4, step: 1e-4, cost: 1e-5 };
         let data = [Data::new(&thin, self.model, self.hold)?];
-        let errors = unexplained(self.model, &specs, &data, Preparation::WeakForm { window }, &limits)?;
+        let (errors, p) = unexplained(self.model, &specs, &data, Preparation::WeakForm { window }, &limits)?;
         Ok(Judgement {
             unexplained: errors.into_iter().map(|(name, e)| (name, (e / 100.0).powi(2))).collect(),
             windows: record.duration() / (0.5 * self.window),
+            p,
         })
     }
 

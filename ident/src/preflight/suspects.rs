@@ -1,7 +1,8 @@
 //! Which changes would make model and record agree: every one is tried, and judged beside the record as it is.
 //!
 //! A change is declared only where it is clearly better: it cuts the product of the unexplained parts of all equations to a
-//! quarter, over as many windows as make that no accident ([`EVIDENCE`]). Changes that do as well are named beside it: a
+//! quarter, over as many windows as make that no accident ([`EVIDENCE`]), and then explains the equation that gains most.
+//! Changes that do as well are named beside it: a
 //! mirror of the rig turns an input where two outputs are turned. Changes that alter nothing are what the record cannot tell.
 
 use super::change::Change;
@@ -21,6 +22,8 @@ const EVIDENCE: f64 = 10.0;
 const ALIKE: f64 = 0.2;
 /// Where no equation leaves more than this unexplained (ratio of amplitudes), offsets and units are not searched for.
 const EXPLAINED: f64 = 0.25;
+/// What a change may leave unexplained in the equation that gains most: a change that makes a bad model less bad is no finding.
+const LEFT: f64 = 0.5;
 /// Most changes that are declared for one record.
 const MOST: usize = 3;
 
@@ -147,6 +150,9 @@ fn best(now: &Judgement, mut tried: Vec<(Change, Judgement)>, silent: &[usize]) 
         .filter(|i| !silent.contains(i))
         .max_by(|&a, &b| (of(now, a) / of(&judged, a)).total_cmp(&(of(now, b) / of(&judged, b))))?;
     let unexplained = (of(now, i).sqrt(), of(&judged, i).sqrt());
+    if unexplained.1 > LEFT {
+        return None;
+    }
     Some((Suspect { change, alternatives, equation: now.unexplained[i].0.clone(), unexplained }, judged))
 }
 

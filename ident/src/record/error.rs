@@ -68,6 +68,13 @@ pub enum Cause {
     NoHeader {
         /// What stands there.
         text: String,
+        /// A header as it should be.
+        example: &'static str,
+    },
+    /// A file of pairs with more or fewer columns than two.
+    NoPairs {
+        /// Columns that are there.
+        found: Vec<String>,
     },
     /// A column has no name.
     NoName {
@@ -295,7 +302,8 @@ impl fmt::Display for Cause {
             ),
             Self::Mat(e) => write!(f, "{e}"),
             Self::NoRows => f.write_str("there are no samples"),
-            Self::NoHeader { text } => write!(f, "the first line starts with the number `{text}`; it has to name the columns: `t, theta [deg], u`"),
+            Self::NoHeader { text, example } => write!(f, "the first line starts with the number `{text}`; it has to name the columns: `{example}`"),
+            Self::NoPairs { found } => write!(f, "pairs take two columns, abscissa then ordinate; here are {}: {}", found.len(), list(found)),
             Self::NoName { column } => write!(f, "column {column} has no name in the first line"),
             Self::TwiceNamed { column } => write!(f, "two columns are named `{column}`"),
             Self::NoTime { found } => write!(
