@@ -65,21 +65,37 @@ pub struct Facts {
     pub not_judged: Option<String>,
 }
 
-/// Inspects records of a model. `specs` say which parameters are not known well (the others are trusted).
+/// Where an axis can go: name of the coordinate, from, to (SI).
+pub type Range = (String, (f64, f64));
+
+/// Inspects records of a model. `specs` say which parameters are not known well (the others are trusted), `ranges` how far
+/// axes can go, where that is known.
 ///
 /// # Errors
 /// [`MatchError`] where a record does not fit the model's names.
-pub fn inspect(model: &dyn Model, specs: &[ParameterSpec], records: &[Record], hold: Hold) -> Result<Preflight, MatchError> {
+pub fn inspect(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    ranges: &[Range],
+    records: &[Record],
+    hold: Hold,
+) -> Result<Preflight, MatchError> {
     let mut found = Preflight { records: Vec::new(), faults: Vec::new() };
     for record in records {
-        let (facts, kinds) = one(model, specs, record, hold)?;
+        let (facts, kinds) = one(model, specs, ranges, record, hold)?;
         found.faults.extend(kinds.into_iter().map(|kind| Fault { record: record.source.clone(), kind }));
         found.records.push(facts);
     }
     Ok(found)
 }
 
-fn one(model: &dyn Model, specs: &[ParameterSpec], record: &Record, hold: Hold) -> Result<(Facts, Vec<FaultKind>), MatchError> {
+fn one(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    ranges: &[Range],
+    record: &Record,
+    hold: Hold,
+) -> Result<(Facts, Vec<FaultKind>), MatchError> {
     let d = model.dimensions();
     let p: Vec<f64> = specs.iter().map(|s| s.value).collect();
     let bound = bind(record, model, hold)?;
@@ -119,7 +135,7 @@ fn one(model: &dyn Model, specs: &[ParameterSpec], record: &Record, hold: Hold) 
         not_judged: None,
     };
     let mut kinds = of_facts(&facts);
-    match by_model(model, specs, record, hold, &mut facts) {
+    match by_model(model, specs, ranges, record, hold, &mut facts) {
         Ok(suspects) => {
             // a wrong unit shows in the steps too, and a turned input beyond its limits: one fault, not two
             let explained: Vec<String> = suspects.iter().flat_map(|s| s.change.channels()).collect();
@@ -138,7 +154,7 @@ fn one(model: &dyn Model, specs: &[ParameterSpec], record: &Record, hold: Hold) 
 /// Faults that need no model.
 fn of_facts(facts: &Facts) -> Vec<FaultKind> {
     let mut kinds = Vec::new();
-    if !facts.timing.gaps.is_empty() {
+    if facts.timing.is_broken() {
         kinds.push(FaultKind::Gaps(facts.timing.gaps.clone()));
     }
     let moving = facts.outputs.iter().any(|o| !o.constant);
@@ -168,6 +184,7 @@ fn of_facts(facts: &Facts) -> Vec<FaultKind> {
 fn by_model(
     model: &dyn Model,
     specs: &[ParameterSpec],
+    ranges: &[Range],
     record: &Record,
     hold: Hold,
     facts: &mut Facts,
@@ -178,12 +195,15 @@ fn by_model(
             why: if moving.is_empty() { "no output moves".to_owned() } else { format!("{} samples are too few", record.t.len()) },
         });
     }
-    // half a period of the fastest motion, and some windows in any record
-    let duration = facts.timing.duration;
-    let half = moving.iter().map(|o| duration / (o.reversals as f64 + 1.0)).fold(f64::INFINITY, f64::min);
-    let period = duration / (record.t.len() - 1) as f64;
-    let window = (0.7 * half).min(duration / 12.0).min(2.0).max(20.0 * period);
-    let judge = Judge { model, specs, hold, window };
+    let windows = windows(model, &facts.outputs, record);
+    let shortest = windows.iter().copied().fold(f64::INFINITY, f64::min);
+    // where the rig says how far an axis goes, a wrong zero must leave it there
+    let room = |o: &OutputFacts| -> (f64, f64) {
+        ranges.iter().find(|(name, _)| *name == o.name).map_or((-QUARTER, QUARTER), |(_, (lo, hi))| {
+            let slack = 0.1 * (hi - lo);
+            ((lo - slack - o.range.0).max(-QUARTER), (hi + slack - o.range.1).min(QUARTER))
+        })
+    };
     let names = suspects::Names {
         outputs: moving.iter().map(|o| (o.name.clone(), o.unit.clone())).collect(),
         inputs: facts.inputs.iter().filter(|i| i.range != (0.0, 0.0)).map(|i| (i.name.clone(), i.unit.clone())).collect(),
@@ -191,10 +211,16 @@ fn by_model(
             .iter()
             .filter(|o| o.unit == "rad" && o.range.1 - o.range.0 < 2.0 * PI)
             .filter(|o| o.first.abs() <= 2.0 * o.quantum_declared.or(o.quantum_seen).unwrap_or(0.0))
+            .map(|o| (o.name.clone(), room(o)))
+            .collect(),
+        half_turns: moving
+            .iter()
+            .filter(|o| o.unit == "rad" && ranges.iter().all(|(name, (lo, hi))| *name != o.name || hi - lo > PI))
             .map(|o| o.name.clone())
             .collect(),
         parameters: specs.iter().filter(|s| s.value != 0.0).map(|s| s.name.clone()).collect(),
     };
+    let judge = Judge { model, specs, hold, windows };
     let verdict = suspects::search(&judge, record, &names)?;
     facts.unexplained = verdict.as_it_is.unexplained.iter().map(|(n, e)| (n.clone(), e.sqrt())).collect();
     facts.untold = verdict.untold;
@@ -204,9 +230,28 @@ fn by_model(
         let q = measured_coordinates(model, p, &data)?;
         // a rest that the model does not explain has delays of its own
         let told: Vec<usize> = (0..q.len()).filter(|&i| verdict.as_it_is.unexplained[i].1.sqrt() < delay::EXPLAINED).collect();
-        facts.delays = delay::delays(model, p, &data, &q, window, &told);
+        facts.delays = delay::delays(model, p, &data, &q, shortest, &told);
     }
     Ok(verdict.suspects)
+}
+
+/// An encoder that is zeroed where the rig happens to rest is not further than this from its zero [rad].
+const QUARTER: f64 = 0.5 * PI;
+
+/// For each coordinate a window of about half a period of its motion, in two sizes at most.
+fn windows(model: &dyn Model, outputs: &[OutputFacts], record: &Record) -> Vec<f64> {
+    let duration = record.duration();
+    let period = duration / (record.t.len() - 1) as f64;
+    let length = |o: &OutputFacts| (0.7 * duration / (o.reversals as f64 + 1.0)).min(duration / 12.0).min(3.0).max(20.0 * period);
+    let moving: Vec<&OutputFacts> = outputs.iter().filter(|o| !o.constant).collect();
+    let fast = moving.iter().map(|o| length(o)).fold(f64::INFINITY, f64::min);
+    let slow = moving.iter().map(|o| length(o)).fold(0.0, f64::max);
+    (0..model.dimensions().coordinates)
+        .map(|i| match moving.iter().find(|o| o.name == model.names().state(i)) {
+            Some(o) if length(o) > (fast * slow).sqrt() && slow > 2.0 * fast => slow,
+            _ => fast,
+        })
+        .collect()
 }
 
 /// The SI unit that values of this unit are given in.

@@ -22,7 +22,8 @@ pub fn run(args: &Preflight) -> Result<Answer, Failure> {
         .map(|p| record::read(p).map_err(|e| Failure::new("C0501", e.to_string())))
         .collect::<Result<Vec<_>, _>>()?;
     let specs = ParameterSpec::of_rig(&loaded.rig);
-    let found = inspect(&model, &specs, &records, args.hold.into()).map_err(|e| Failure::new("C0502", e.to_string()))?;
+    let ranges: Vec<_> = loaded.rig.coordinates.iter().filter_map(|c| Some((c.name.clone(), c.range?))).collect();
+    let found = inspect(&model, &specs, &ranges, &records, args.hold.into()).map_err(|e| Failure::new("C0502", e.to_string()))?;
     let mut text = String::new();
     for facts in &found.records {
         if !text.is_empty() {

@@ -46,6 +46,12 @@ impl Change {
         }
     }
 
+    /// Turned or exchanged channels, which leave the size of everything as it is.
+    #[must_use]
+    pub fn is_wiring(&self) -> bool {
+        matches!(self, Self::SignOfOutput(_) | Self::SignOfInput(_) | Self::SwapOutputs(..) | Self::SwapInputs(..))
+    }
+
     /// Channels or parameters that it changes.
     #[must_use]
     pub fn channels(&self) -> Vec<String> {

@@ -22,6 +22,8 @@ pub struct Delay {
 
 /// Correlations below this say nothing.
 const LEAST: f64 = 0.8;
+/// Changes of an input below which its delay may be that of something else.
+const CHANGES: usize = 10;
 /// Equations of which the model leaves more than this unexplained say nothing either (ratio of amplitudes).
 pub(super) const EXPLAINED: f64 = 0.4;
 /// Longest delay that is looked for [s].
@@ -41,12 +43,18 @@ pub(super) fn delays(model: &dyn Model, p: &[f64], data: &Data, q: &[Vec<f64>], 
     let samples = ((0.3 * window / period) as usize).max(8);
     let v: Vec<Vec<f64>> = q.iter().map(|q| rates(t, q, samples)).collect();
     let a: Vec<Vec<f64>> = v.iter().map(|v| rates(t, v, samples)).collect();
-    let u: Vec<Vec<f64>> = t.iter().map(|&t| data.inputs(model, p, t)).collect();
+    // at a switch the mean of both sides: a held input is, on the average, half a sample late
+    let both = |t: f64| {
+        let (after, before) = (data.inputs(model, p, t), data.inputs(model, p, t - 1e-3 * period));
+        after.iter().zip(&before).map(|(a, b)| 0.5 * (a + b)).collect::<Vec<f64>>()
+    };
+    let u: Vec<Vec<f64>> = t.iter().map(|&t| both(t)).collect();
     let mut found = Vec::new();
     for j in 0..d.inputs {
         let mean = u.iter().map(|u| u[j]).sum::<f64>() / count as f64;
         let drive: Vec<f64> = u.iter().map(|u| u[j] - mean).collect();
-        if drive.iter().all(|x| x.abs() < 1e-9 * (1.0 + mean.abs())) {
+        let size = drive.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if drive.windows(2).filter(|w| (w[1] - w[0]).abs() > 1e-6 * size).count() < CHANGES {
             continue;
         }
         let mut rest = vec![vec![0.0; count]; n];
@@ -99,7 +107,7 @@ pub(super) fn delays(model: &dyn Model, p: &[f64], data: &Data, q: &[Vec<f64>], 
             found.push(Delay {
                 input: model.names().signal(j).to_owned(),
                 coordinate: model.names().state(i).to_owned(),
-                seconds: if seconds < 0.5 * period { 0.0 } else { seconds },
+                seconds: if seconds < period { 0.0 } else { seconds },
                 correlation,
             });
         }

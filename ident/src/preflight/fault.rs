@@ -1,5 +1,6 @@
 //! A fault of a record: what, how it was seen, how to mend it.
 
+use super::change::Change;
 use super::suspects::Suspect;
 use super::timing::Gap;
 
@@ -91,8 +92,9 @@ impl Fault {
                     text.push_str(glue);
                     text.push_str(&other.claim());
                 }
+                let after = if matches!(s.change, Change::Foreign(_)) { "with inputs held at their means" } else { "after the change" };
                 format!(
-                    "{text} (the model leaves {} of the accelerations of `{}` unexplained, {} after the change)",
+                    "{text} (the model leaves {} of the accelerations of `{}` unexplained, {} {after})",
                     percent(s.unexplained.0),
                     s.equation,
                     percent(s.unexplained.1)
@@ -108,8 +110,16 @@ impl Fault {
             }
             FaultKind::Quantum { output, seen, declared, unit } => {
                 let per = |q: f64| if unit == "rad" { format!("{:.0} counts a turn", std::f64::consts::TAU / q) } else { format!("{:.0} counts per {unit}", 1.0 / q) };
+                let ratio = seen / declared;
+                let hint = if unit == "rad" && (ratio.to_radians() - 1.0).abs() < 0.03 {
+                    ": 57.3 times as much, as of degrees that are read as radians"
+                } else if [0.25, 0.5, 2.0, 4.0].iter().any(|r| (ratio / r - 1.0).abs() < 0.02) {
+                    ": a factor of two or four is usual where edges are counted differently"
+                } else {
+                    ""
+                };
                 format!(
-                    "`{output}` moves in steps of {} {unit} ({}), the rig's encoder has {} {unit} ({})",
+                    "`{output}` moves in steps of {} {unit} ({}), the rig's encoder has {} {unit} ({}){hint}",
                     short(*seen),
                     per(*seen),
                     short(*declared),

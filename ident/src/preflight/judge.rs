@@ -15,7 +15,7 @@ use sim::Hold;
 /// Parameters of a rig are known at least to this factor.
 const FREEDOM: f64 = 4.0;
 /// Samples to which a long record is thinned out, and samples of a window at least.
-const SAMPLES: usize = 1500;
+const SAMPLES: usize = 400;
 const WINDOW_SAMPLES: usize = 24;
 
 /// How well the model explains a record.
@@ -23,8 +23,8 @@ const WINDOW_SAMPLES: usize = 24;
 pub(super) struct Judgement {
     /// For each coordinate the unexplained part of its accelerations: power of the error over power of the measured side.
     pub unexplained: Vec<(String, f64)>,
-    /// Windows that do not overlap by more than half: about so many independent equations a coordinate.
-    pub windows: f64,
+    /// For each coordinate the windows that do not overlap by more than half: about so many independent equations.
+    pub windows: Vec<f64>,
     /// Parameters that explain it so well.
     pub p: Vec<f64>,
 }
@@ -33,6 +33,12 @@ impl Judgement {
     /// ln of the product of the unexplained parts: the log-likelihood of errors of unknown size, but for a factor.
     pub fn score(&self, without: &[usize]) -> f64 {
         self.unexplained.iter().enumerate().filter(|(i, _)| !without.contains(i)).map(|(_, (_, e))| e.max(1e-12).ln()).sum()
+    }
+
+    /// ln of the likelihood ratio against another judgement, for normal errors of unknown size.
+    pub fn evidence(&self, against: &Self, without: &[usize]) -> f64 {
+        let gain = |i: usize| (against.unexplained[i].1.max(1e-12) / self.unexplained[i].1.max(1e-12)).ln();
+        (0..self.windows.len()).filter(|i| !without.contains(i)).map(|i| 0.5 * self.windows[i] * gain(i)).sum()
     }
 
     /// Coordinates whose equation says nothing: they do not move.
@@ -51,8 +57,8 @@ pub(super) struct Judge<'a> {
     pub model: &'a dyn Model,
     pub specs: &'a [ParameterSpec],
     pub hold: Hold,
-    /// Length of the windows [s].
-    pub window: f64,
+    /// For each coordinate the length of its windows [s]: a slow motion under short ones is all noise.
+    pub windows: Vec<f64>,
 }
 
 impl Judge<'_> {
@@ -69,17 +75,26 @@ impl Judge<'_> {
                 });
             }
         }
-        let thin = self.thinned(&changed);
-        let period = thin.duration() / (thin.t.len() - 1).max(1) as f64;
-        let window = ((self.window / period).round() as usize).max(8);
-        let limits = Limits { evaluations: 30, gradient: 1e-4, step: 1e-4, cost: 1e-5 };
-        let data = [Data::new(&thin, self.model, self.hold)?];
-        let (errors, p) = unexplained(self.model, &specs, &data, Preparation::WeakForm { window }, &limits)?;
-        Ok(Judgement {
-            unexplained: errors.into_iter().map(|(name, e)| (name, (e / 100.0).powi(2))).collect(),
-            windows: record.duration() / (0.5 * self.window),
-            p,
-        })
+        let limits = Limits { evaluations: 12, gradient: 1e-4, step: 1e-3, cost: 1e-4 };
+        let mut lengths = self.windows.clone();
+        lengths.sort_by(f64::total_cmp);
+        lengths.dedup();
+        let mut found = Judgement { unexplained: Vec::new(), windows: Vec::new(), p: Vec::new() };
+        for length in lengths {
+            let thin = self.thinned(&changed, length);
+            let period = thin.duration() / (thin.t.len() - 1).max(1) as f64;
+            let window = ((length / period).round() as usize).max(8);
+            let data = [Data::new(&thin, self.model, self.hold)?];
+            let (errors, p) = unexplained(self.model, &specs, &data, Preparation::WeakForm { window }, &limits)?;
+            if found.unexplained.is_empty() {
+                found = Judgement { unexplained: errors.iter().map(|(n, _)| (n.clone(), 0.0)).collect(), windows: vec![0.0; errors.len()], p };
+            }
+            for (i, (_, e)) in errors.into_iter().enumerate().filter(|(i, _)| self.windows[*i] == length) {
+                found.unexplained[i].1 = (e / 100.0).powi(2);
+                found.windows[i] = record.duration() / (0.5 * length);
+            }
+        }
+        Ok(found)
     }
 
     /// The parameters, each within a factor and with its sign.
@@ -101,8 +116,8 @@ impl Judge<'_> {
     }
 
     /// Means over neighbouring samples where there are many: they take noise and steps out, and time.
-    fn thinned(&self, record: &Record) -> Record {
-        let wanted = SAMPLES.max((record.duration() / self.window * WINDOW_SAMPLES as f64).ceil() as usize);
+    fn thinned(&self, record: &Record, window: f64) -> Record {
+        let wanted = SAMPLES.max((record.duration() / window * WINDOW_SAMPLES as f64).ceil() as usize);
         let every = record.t.len() / wanted;
         let mut r = record.clone();
         let names = self.model.names();

@@ -24,10 +24,19 @@ pub struct Gap {
     pub length: f64,
 }
 
+/// A gap of so many medians, or so many gaps a step, is a fault; a single late sample is not.
+const LONG: f64 = 5.0;
+const MANY: f64 = 2e-3;
 /// A step that is this many medians long has lost at least one sample, whatever the jitter.
 const GAP: f64 = 2.5;
 
 impl Timing {
+    /// The gaps are a fault of the record, no single late sample.
+    #[must_use]
+    pub fn is_broken(&self) -> bool {
+        self.gaps.iter().any(|g| g.length * self.rate >= LONG) || self.gaps.len() as f64 > MANY * self.samples as f64
+    }
+
     /// Of increasing time stamps [s].
     #[must_use]
     pub fn of(t: &[f64]) -> Self {
@@ -58,7 +67,7 @@ mod tests {
         let t = [0.0, 0.1, 0.2, 0.4, 0.5, 0.6, 1.0, 1.1];
         let found = Timing::of(&t);
         assert_eq!(found.gaps, [Gap { after: 0.6, length: 0.4 }]);
-        assert!((found.rate - 10.0).abs() < 1e-9 && found.jitter > 0.3);
+        assert!((found.rate - 10.0).abs() < 1e-9 && found.jitter > 0.3 && found.is_broken());
         assert_eq!(Timing::of(&[]).samples, 0);
     }
 }
