@@ -99,13 +99,13 @@ fn what_is_said_to_broken_files_and_descriptions() {
     case("no such file", "other.mat", &level5, &text("lost.mat"));
     case("unknown key", "good.mat", &level5, &text("good.mat").replace("variable", "varable"));
     case("no TOML", "good.mat", &level5, "file: good.mat\n");
+    case("decimal commas", "comma.txt", b"t;x\n0,0;1,5\n0,1;1,6\n", "file = \"comma.txt\"\ndelimiter = \"semicolon\"\n[signals]\nx = { column = \"x\" }\n");
     case("input neither logged nor declared", "good.csv", b"t,x\n0,1\n1,2\n2,3\n", "file = \"good.csv\"\n[signals]\nx = { column = \"x\", unit = \"m\" }\n");
-    drop(case);
     all += &format!("-- a MAT file without a description\n{}\n\n", said(&folder, &["preflight", "cart.rig", "--data", "good.mat"]));
     all += &format!("-- no such record\n{}\n\n", said(&folder, &["preflight", "cart.rig", "--data", "lost.csv"]));
     all += &format!("-- a folder\n{}\n\n", said(&folder, &["preflight", "cart.rig", "--data", "."]));
     all += &format!("-- a rig as a record\n{}\n\n", said(&folder, &["preflight", "cart.rig", "--data", "cart.rig"]));
-    std::fs::write(folder.join("short.csv"), "t,F,x,q\n0,0,1,1\n0.1,0,1,1\n").expect("the record is written");
+    std::fs::write(folder.join("short.csv"), "t,F,x,q\n0,0,1,1\n0.1,0,1.1,1.2\n").expect("the record is written");
     all += &format!("-- fewer samples than unknowns\n{}\n\n", said(&folder, &["identify", "cart.rig", "--data", "short.csv"]));
     insta::assert_snapshot!(all);
 }

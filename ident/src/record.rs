@@ -111,6 +111,7 @@ pub fn read_with(path: &Path, data: Option<&Path>) -> Result<Record, RecordError
     match extension.as_str() {
         "toml" => description::read(path, data),
         "mat" => Err(RecordError::new(path, Cause::NeedsDescription)),
+        "rig" => Err(RecordError::new(path, Cause::IsRig)),
         _ => header::read(path),
     }
 }

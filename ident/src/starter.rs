@@ -173,7 +173,8 @@ fn mechanics(text: &mut String, q: &str, turns: bool, driven: &[(String, String)
             u => format!("{force}/{u}"),
         };
         let _ = writeln!(text, "    param K_{q}_{u}: {gain} = 1;    // TODO how {u} drives {q}; remove it where it does not");
-        let _ = write!(sum, "K_{q}_{u} * {u} ");
+        let plus = if sum.is_empty() { "" } else { "+ " };
+        let _ = write!(sum, "{plus}K_{q}_{u} * {u} ");
     }
     let _ = writeln!(text, "    equation {letter}_{q} * {q}.ddot = {sum}- k_{q} * {q} - c_{q} * {q}.dot;");
 }

@@ -49,7 +49,7 @@ pub fn run(args: &Excite) -> Result<Answer, Failure> {
     let _ = writeln!(
         text,
         "  band: {}; {} s at {} Hz",
-        if fastest > 0.0 { format!("up to twice the fastest pole, {} Hz", number(fastest)) } else { "no pole tells one, 2 Hz".to_owned() },
+        if fastest > 0.0 { format!("up to twice the fastest pole ({} Hz)", number(fastest)) } else { "no pole tells one, 2 Hz".to_owned() },
         number(args.duration),
         number(args.rate)
     );
@@ -116,8 +116,12 @@ fn within(loaded: &Loaded, layout: &Layout, x: &[f64], cyclic: &[usize], given: 
     Ok(list)
 }
 
+fn part(share: f64) -> String {
+    if share < 1e-4 { "below 0.01 %".to_owned() } else { format!("{} %", number((1e4 * share).round() / 100.0)) }
+}
+
 fn shown(x: f64, unit: &str) -> String {
-    if unit == "rad" { format!("{:.1} deg", x.to_degrees()) } else { format!("{} {unit}", number(x)) }
+    if unit == "rad" { format!("{:.1} deg", x.to_degrees()) } else { format!("{} {unit}", number((1e6 * x).round() / 1e6)) }
 }
 
 fn told(found: &Excitation) -> String {
@@ -125,8 +129,8 @@ fn told(found: &Excitation) -> String {
     let width = found.predicted.iter().map(|p| p.name.chars().count()).max().unwrap_or(0).max(9);
     for p in &found.predicted {
         let cell = match p.std_error {
-            Some(s) if p.value != 0.0 => format!("+- {}  ({} %)", number(s), number((1e3 * 100.0 * s / p.value.abs()).round() / 1e3)),
-            Some(s) => format!("+- {}", number(s)),
+            Some(s) if p.value != 0.0 => format!("+- {s:.1e}  ({})", part(s / p.value.abs())),
+            Some(s) => format!("+- {s:.1e}"),
             None => "not told".to_owned(),
         };
         let _ = writeln!(text, "  {:width$} {:>12} {} {cell}", p.name, number(p.value), p.unit);

@@ -54,6 +54,15 @@ fn percent(share: f64) -> String {
     }
 }
 
+/// Two significant digits.
+fn short(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let unit = 10.0_f64.powf(x.abs().log10().floor() - 1.0);
+    number((x / unit).round() * unit)
+}
+
 /// Angles in degrees: that is how people see them.
 fn angle(x: f64, unit: &str) -> String {
     if unit == "rad" { format!("{:.1}", x.to_degrees()) } else { number((1e4 * x).round() / 1e4) }
@@ -155,7 +164,7 @@ fn output_words(o: &OutputFacts) -> String {
         angle(o.speed.1, &o.unit),
         o.reversals,
         if o.reversals == 1 { "" } else { "s" },
-        number(if o.unit == "rad" { o.rest_noise.to_degrees() } else { o.rest_noise }),
+        short(if o.unit == "rad" { o.rest_noise.to_degrees() } else { o.rest_noise }),
     )
 }
 

@@ -56,7 +56,8 @@ fn multisine(t: &[f64], inputs: usize, band: (f64, f64), seed: u64) -> Plan {
                 .map(|_| {
                     let phases: Vec<f64> = own.iter().map(|_| TAU * random.next()).collect();
                     let wave = |t: f64| own.iter().zip(&phases).map(|(n, phase)| (TAU * n * t / duration + phase).sin()).sum::<f64>();
-                    let values: Vec<f64> = t.iter().map(|&t| fade(t, duration) * wave(t)).collect();
+                    let mut values: Vec<f64> = t.iter().map(|&t| fade(t, duration) * wave(t)).collect();
+                    bring_home(t, &mut values);
                     let peak = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
                     (peak, values)
                 })
@@ -67,7 +68,34 @@ fn multisine(t: &[f64], inputs: usize, band: (f64, f64), seed: u64) -> Plan {
         .collect();
     let (first, last) = (lines.first().copied().unwrap_or(0.0) / duration, lines.last().copied().unwrap_or(0.0) / duration);
     let each = if inputs == 1 { String::new() } else { ", dealt out to the inputs in turn".to_owned() };
-    Plan { series, words: format!("multisine: {} lines from {first:.3} to {last:.3} Hz{each}, faded in, phases by seed {seed}", lines.len()) }
+    Plan { series, words: format!("multisine: {} lines from {first:.3} to {last:.3} Hz{each}, faded in, without drift, phases by seed {seed}", lines.len()) }
+}
+
+/// Takes out what would leave an axis without spring and friction turning, or elsewhere, at the end: makes both integrals
+/// of the series vanish, by a hump and a sine of one period.
+fn bring_home(t: &[f64], values: &mut [f64]) {
+    let duration = t.last().copied().unwrap_or(1.0);
+    let integrals = |f: &dyn Fn(usize) -> f64| {
+        let (mut rate, mut place) = (0.0, 0.0);
+        for k in 1..t.len() {
+            let dt = t[k] - t[k - 1];
+            place += dt * (rate + 0.5 * dt * f(k - 1));
+            rate += dt * f(k - 1);
+        }
+        (rate, place)
+    };
+    let hump = |k: usize| 1.0 - (TAU * t[k] / duration).cos();
+    let sine = |k: usize| (TAU * t[k] / duration).sin();
+    let (own, by_hump, by_sine) = (integrals(&|k| values[k]), integrals(&hump), integrals(&sine));
+    let det = by_hump.0 * by_sine.1 - by_sine.0 * by_hump.1;
+    if det.abs() < f64::MIN_POSITIVE {
+        return;
+    }
+    let a = (own.0 * by_sine.1 - by_sine.0 * own.1) / det;
+    let b = (by_hump.0 * own.1 - own.0 * by_hump.1) / det;
+    for (k, v) in values.iter_mut().enumerate() {
+        *v -= a * hump(k) + b * sine(k);
+    }
 }
 
 /// From 0 to 1 over the first twentieth: no jump at the start.

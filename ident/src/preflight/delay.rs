@@ -1,7 +1,8 @@
 //! The delay from an input to the motion, by correlation.
 //!
 //! What the model does not explain with the input held at its mean, q'' - a(q, v, mean u), is correlated with what the input
-//! would add, (da/du)(u(t - d) - mean u), over d. Needs no run and no fit. Inputs that act through a lag are left out: lag and
+//! would add, (da/du)(u(t - d) - mean u), over d. Parts of either that a constant, the coordinates, their rates and the signs
+//! of these explain are taken out first: wrong springs and frictions look like delays, above all in closed loops. Needs no run and no fit. Inputs that act through a lag are left out: lag and
 //! delay cannot be told apart like this.
 
 use crate::fit::{Data, rates};
@@ -89,10 +90,17 @@ pub(super) fn delays(model: &dyn Model, p: &[f64], data: &Data, q: &[Vec<f64>], 
         };
         let drive = smooth(&smooth(&drive));
         let reach = ((LONGEST / period) as usize).min(count / 4);
+        let basis = basis(q, &v);
         let best = told
             .iter()
             .filter_map(|&i| {
-                let at = |shift: usize| correlation(&rest[i][shift..], &gain[i][shift..], &drive[..count - shift]);
+                let mut y = rest[i].clone();
+                project_out(&basis, &mut y);
+                let at = |shift: usize| {
+                    let mut w: Vec<f64> = (0..count).map(|k| gain[i][k] * drive[k.saturating_sub(shift)]).collect();
+                    project_out(&basis, &mut w);
+                    correlation(&y, &w)
+                };
                 let values: Vec<f64> = (0..=reach).map(at).collect();
                 let k = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
                 // between samples: the vertex of a parabola
@@ -115,16 +123,38 @@ pub(super) fn delays(model: &dyn Model, p: &[f64], data: &Data, q: &[Vec<f64>], 
     found
 }
 
-/// Of y with g u, about zero means.
-fn correlation(y: &[f64], g: &[f64], u: &[f64]) -> f64 {
-    let n = y.len() as f64;
-    let w: Vec<f64> = g.iter().zip(u).map(|(g, u)| g * u).collect();
-    let (my, mw) = (y.iter().sum::<f64>() / n, w.iter().sum::<f64>() / n);
-    let (mut yw, mut yy, mut ww) = (0.0, 0.0, 0.0);
-    for (y, w) in y.iter().zip(&w) {
-        yw += (y - my) * (w - mw);
-        yy += (y - my).powi(2);
-        ww += (w - mw).powi(2);
+/// Orthonormal series that span a constant, coordinates, rates and signs of rates.
+fn basis(q: &[Vec<f64>], v: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let count = q.first().map_or(0, Vec::len);
+    let signs = v.iter().map(|v| {
+        let size = v.iter().map(|v| v * v).sum::<f64>().sqrt() / (count as f64).sqrt();
+        v.iter().map(|v| (10.0 * v / size.max(f64::MIN_POSITIVE)).tanh()).collect()
+    });
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    for mut series in std::iter::once(vec![1.0; count]).chain(q.iter().cloned()).chain(v.iter().cloned()).chain(signs) {
+        let before = norm(&series);
+        project_out(&basis, &mut series);
+        let length = norm(&series);
+        if length > 1e-9 * before {
+            series.iter_mut().for_each(|x| *x /= length);
+            basis.push(series);
+        }
     }
-    if yy > 0.0 && ww > 0.0 { yw / (yy * ww).sqrt() } else { 0.0 }
+    basis
+}
+
+fn norm(series: &[f64]) -> f64 {
+    series.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn project_out(basis: &[Vec<f64>], series: &mut [f64]) {
+    for b in basis {
+        let along: f64 = b.iter().zip(series.iter()).map(|(b, s)| b * s).sum();
+        series.iter_mut().zip(b).for_each(|(s, b)| *s -= along * b);
+    }
+}
+
+fn correlation(y: &[f64], w: &[f64]) -> f64 {
+    let size = norm(y) * norm(w);
+    if size > 0.0 { y.iter().zip(w).map(|(y, w)| y * w).sum::<f64>() / size } else { 0.0 }
 }

@@ -198,6 +198,9 @@ impl Form {
         if !(below.is_finite() && above.is_finite()) || below * above > 0.0 {
             return None;
         }
+        if above == 0.0 {
+            return Some(hi);
+        }
         // where the map is flat (a dead zone) the answer is its far end
         for _ in 0..200 {
             let middle = 0.5 * (lo + hi);
