@@ -16,8 +16,12 @@ fn folder(name: &str) -> PathBuf {
 
 /// What the program says to a record, and that it says it as a failure.
 fn said(folder: &Path, command: &[&str]) -> String {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_rig")).current_dir(folder).env_remove("RIG_DATA").args(command).output().expect("the program starts");
+    let output = Command::new(env!("CARGO_BIN_EXE_rig"))
+        .current_dir(folder)
+        .env_remove("RIG_DATA")
+        .args(command)
+        .output()
+        .expect("the program starts");
     let text = String::from_utf8_lossy(&output.stderr).trim_end().to_owned();
     assert_eq!(output.status.code(), Some(1), "{command:?}: {text}");
     assert!(!text.contains("panicked"), "{text}");
@@ -60,7 +64,10 @@ fn what_is_said_to_broken_csv_records() {
         ("column twice", HEADER.replace("q [deg]", "x [mm]").into_bytes().into_iter().chain(plain().into_bytes()).collect()),
         ("column without name", HEADER.replace("q [deg]", "").into_bytes().into_iter().chain(plain().into_bytes()).collect()),
         ("input never logged", HEADER.replace("F [N]", "force [N]").into_bytes().into_iter().chain(plain().into_bytes()).collect()),
-        ("outputs of another rig", HEADER.replace("x [mm]", "psi").replace("q [deg]", "eps").into_bytes().into_iter().chain(plain().into_bytes()).collect()),
+        (
+            "outputs of another rig",
+            HEADER.replace("x [mm]", "psi").replace("q [deg]", "eps").into_bytes().into_iter().chain(plain().into_bytes()).collect(),
+        ),
         ("semicolons", (HEADER.to_owned() + &plain()).replace(',', ";").into()),
         ("tabs", (HEADER.to_owned() + &plain()).replace(',', "\t").into()),
         ("decimal commas", (HEADER.to_owned() + &plain()).replace(',', ";").replace('.', ",").into()),
@@ -99,8 +106,18 @@ fn what_is_said_to_broken_files_and_descriptions() {
     case("no such file", "other.mat", &level5, &text("lost.mat"));
     case("unknown key", "good.mat", &level5, &text("good.mat").replace("variable", "varable"));
     case("no TOML", "good.mat", &level5, "file: good.mat\n");
-    case("decimal commas", "comma.txt", b"t;x\n0,0;1,5\n0,1;1,6\n", "file = \"comma.txt\"\ndelimiter = \"semicolon\"\n[signals]\nx = { column = \"x\" }\n");
-    case("input neither logged nor declared", "good.csv", b"t,x\n0,1\n1,2\n2,3\n", "file = \"good.csv\"\n[signals]\nx = { column = \"x\", unit = \"m\" }\n");
+    case(
+        "decimal commas",
+        "comma.txt",
+        b"t;x\n0,0;1,5\n0,1;1,6\n",
+        "file = \"comma.txt\"\ndelimiter = \"semicolon\"\n[signals]\nx = { column = \"x\" }\n",
+    );
+    case(
+        "input neither logged nor declared",
+        "good.csv",
+        b"t,x\n0,1\n1,2\n2,3\n",
+        "file = \"good.csv\"\n[signals]\nx = { column = \"x\", unit = \"m\" }\n",
+    );
     all += &format!("-- a MAT file without a description\n{}\n\n", said(&folder, &["preflight", "cart.rig", "--data", "good.mat"]));
     all += &format!("-- no such record\n{}\n\n", said(&folder, &["preflight", "cart.rig", "--data", "lost.csv"]));
     all += &format!("-- a folder\n{}\n\n", said(&folder, &["preflight", "cart.rig", "--data", "."]));

@@ -66,7 +66,13 @@ fn a_new_rig_passes_its_check_and_is_never_overwritten() {
     for k in 0..300 {
         let t = 0.01 * f64::from(k);
         let steps = (30.0 * (3.0 * t).sin() / 0.15).round() * 0.15;
-        record += &format!("{t:.2},{steps:.2},{:.6},{:.3},{:.4},{:.9},300\n", 50.0 * t.sin(), 5.0 * t.cos(), 90.0 * (3.0 * t).cos(), (2.0 * t).sin());
+        record += &format!(
+            "{t:.2},{steps:.2},{:.6},{:.3},{:.4},{:.9},300\n",
+            50.0 * t.sin(),
+            5.0 * t.cos(),
+            90.0 * (3.0 * t).cos(),
+            (2.0 * t).sin()
+        );
     }
     std::fs::write(folder.join("run.csv"), record).expect("the record is written");
     text(&rig(&folder, &["new", "Bench", "--data", "run.csv"]));
@@ -122,10 +128,7 @@ fn an_excitation_stays_within_its_bounds() {
         let (value, truth, sd) = (value.expect("a value"), truth.expect("a value"), sd.expect("an error"));
         assert!((value - truth).abs() < 4.0 * sd, "{}: {value} instead of {truth} +- {sd}", p["name"]);
     }
-    insta::assert_snapshot!(
-        "excite",
-        text(&rig(&folder, &["excite", &model, "--trim", "hover", "--out", "d.csv", "--shape", "steps"]))
-    );
+    insta::assert_snapshot!("excite", text(&rig(&folder, &["excite", &model, "--trim", "hover", "--out", "d.csv", "--shape", "steps"])));
     // a user's file stays
     let refused = rig(&folder, &["excite", &model, "--out", "a.csv", "--trim", "level"]);
     assert_eq!(refused.status.code(), Some(1));

@@ -136,7 +136,18 @@ pub fn propose(model: &dyn Model, p: &[f64], free: &[usize], request: &Request) 
     let Plan { series, words } = plan(request.shape, &t, d.inputs, request.band, request.seed);
     // inputs without limits go with those that have some, or are scaled by what moves
     let finite = room.iter().copied().filter(|r| r.is_finite()).fold(f64::NAN, f64::min);
-    let unit: Vec<f64> = room.iter().map(|r| if r.is_finite() { *r } else if finite.is_finite() { finite } else { 1.0 }).collect();
+    let unit: Vec<f64> = room
+        .iter()
+        .map(|r| {
+            if r.is_finite() {
+                *r
+            } else if finite.is_finite() {
+                finite
+            } else {
+                1.0
+            }
+        })
+        .collect();
     let inputs = |scale: f64| -> Vec<Vec<f64>> {
         (0..d.signals())
             .map(|i| match series.get(i) {
@@ -187,8 +198,7 @@ pub fn propose(model: &dyn Model, p: &[f64], free: &[usize], request: &Request) 
         }
     };
     let inputs = inputs(scale);
-    let amplitude =
-        inputs.iter().enumerate().map(|(i, s)| s.iter().map(|s| (s - request.u[i]).abs()).fold(0.0, f64::max)).collect();
+    let amplitude = inputs.iter().enumerate().map(|(i, s)| s.iter().map(|s| (s - request.u[i]).abs()).fold(0.0, f64::max)).collect();
     let signals = held(&t, &inputs)?;
     let predicted = predict(model, p, free, &request.x, &signals, &t)?;
     Ok(Excitation { t, inputs, amplitude, excursion: largest.excursion, limited_by, words, predicted })

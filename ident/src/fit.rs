@@ -34,8 +34,8 @@ mod whiteness;
 
 pub use answer::{Estimate, Fit, InitialValue, RecordFigures, SignalFigure};
 pub use equation_error::{EquationErrorFit, Preparation, equation_error};
-pub use error::FitError;
 pub(crate) use equation_error::{coordinates as measured_coordinates, unexplained};
+pub use error::FitError;
 pub(crate) use filter::rates;
 pub use identifiability::{Identifiable, TradeOff};
 pub use minimize::{Ending, LevenbergMarquardt, Limits, Minimizer};

@@ -120,7 +120,11 @@ pub fn starter(name: &str, record: &Record, inputs: &[String]) -> Result<String,
         let unit = if turns { "rad" } else { "m" };
         let guess = if c.unit.is_none() { "; TODO the record states no unit, radians were taken" } else { "" };
         let (lo, hi) = range(&c.values);
-        let seen = if turns { format!("{:.1} .. {:.1} deg", lo.to_degrees(), hi.to_degrees()) } else { format!("{} .. {} m", number(lo), number(hi)) };
+        let seen = if turns {
+            format!("{:.1} .. {:.1} deg", lo.to_degrees(), hi.to_degrees())
+        } else {
+            format!("{} .. {} m", number(lo), number(hi))
+        };
         let renamed = if q == c.name { String::new() } else { format!("; in the record `{}`: name it alike, or describe it", c.name) };
         let _ = writeln!(text, "    coord {q}: {unit};    // {seen} in the record{guess}{renamed}");
     }
@@ -161,9 +165,14 @@ pub fn starter(name: &str, record: &Record, inputs: &[String]) -> Result<String,
 fn mechanics(text: &mut String, q: &str, turns: bool, driven: &[(String, String)]) {
     let (inertia, force, per) = if turns { ("kg*m^2", "N*m", "rad") } else { ("kg", "N", "m") };
     let (letter, damping) = if turns { ("J", "N*m*s") } else { ("m", "N*s/m") };
-    let _ = writeln!(text, "    param {letter}_{q}: {inertia} = {};    // TODO inertia that moves with it", if turns { "0.01" } else { "1" });
+    let _ =
+        writeln!(text, "    param {letter}_{q}: {inertia} = {};    // TODO inertia that moves with it", if turns { "0.01" } else { "1" });
     let _ = writeln!(text, "    param c_{q}: {damping} = {};    // TODO viscous friction", if turns { "0.01" } else { "1" });
-    let _ = writeln!(text, "    param k_{q}: {force}/{per} = {};    // TODO stiffness, as of gravity about rest", if turns { "0.1" } else { "1" });
+    let _ = writeln!(
+        text,
+        "    param k_{q}: {force}/{per} = {};    // TODO stiffness, as of gravity about rest",
+        if turns { "0.1" } else { "1" }
+    );
     let mut sum = String::new();
     for (u, unit) in driven {
         let gain = match unit.as_str() {
@@ -187,7 +196,9 @@ fn output(c: &Column, turns: bool) -> String {
         (Some(counts), Some(step)) => {
             let step = if turns { format!("{:.4} deg", step.to_degrees()) } else { format!("{} m", number(step)) };
             let of = if turns { "a turn" } else { "a metre" };
-            format!("    encoder {q}: {counts:.0};    // counts {of}: steps of {step} in the record (an encoder's, or the file's last digit)\n")
+            format!(
+                "    encoder {q}: {counts:.0};    // counts {of}: steps of {step} in the record (an encoder's, or the file's last digit)\n"
+            )
         }
         _ => {
             let unit = if turns { "rad" } else { "m" };
@@ -231,12 +242,12 @@ fn roles(columns: &[Column], inputs: &[String]) -> Vec<Role> {
             continue;
         }
         let dimension = |c: &Column| c.unit.as_ref().map(|u| u.dimension);
-        let of = (0..columns.len()).filter(|&j| matches!(roles[j], Role::Coordinate(_)) && columns[k].name.starts_with(&columns[j].name)).find(|&j| {
-            match dimension(&columns[k]) {
+        let of = (0..columns.len())
+            .filter(|&j| matches!(roles[j], Role::Coordinate(_)) && columns[k].name.starts_with(&columns[j].name))
+            .find(|&j| match dimension(&columns[k]) {
                 None => true,
                 Some(d) => d == dimension(&columns[j]).unwrap_or(Dimension::NONE) / Dimension::TIME,
-            }
-        });
+            });
         if let Some(j) = of {
             roles[k] = Role::Rate(j);
         }
@@ -259,7 +270,9 @@ fn sounds_like_input(name: &str) -> bool {
 
 fn sounds_like_rate(name: &str) -> bool {
     let small = name.to_lowercase();
-    ["_dot", ".dot", "_rate", "_speed", "_vel", "_velocity"].iter().any(|end| small.ends_with(end)) || small.starts_with("omega") || small.starts_with("vel")
+    ["_dot", ".dot", "_rate", "_speed", "_vel", "_velocity"].iter().any(|end| small.ends_with(end))
+        || small.starts_with("omega")
+        || small.starts_with("vel")
 }
 
 /// A name of the rig language from that of a column.

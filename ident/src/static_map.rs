@@ -67,7 +67,10 @@ impl fmt::Display for MapError {
         match self {
             Self::Pairs { why } => f.write_str(why),
             Self::TooFew { found, different } => {
-                write!(f, "{found} pairs at {different} different abscissae are too few: a map of two parameters needs at least five at three")
+                write!(
+                    f,
+                    "{found} pairs at {different} different abscissae are too few: a map of two parameters needs at least five at three"
+                )
             }
             Self::NoFit { form } => write!(
                 f,

@@ -42,8 +42,22 @@ fn cases() -> Vec<Case> {
             start: vec![0.0, -0.1, 0.0],
             steps: vec![0.0; 3],
         },
-        Case { rig: "furuta", seconds: 12.0, rate: 200.0, inputs: vec![(0.0, 0.004, 0.5)], start: vec![0.0, 0.4], steps: vec![TAU / 2048.0; 2] },
-        Case { rig: "cart_pole", seconds: 15.0, rate: 100.0, inputs: vec![(0.0, 2.0, 0.3)], start: vec![0.0, PI - 0.3], steps: vec![1e-4, TAU / 4096.0] },
+        Case {
+            rig: "furuta",
+            seconds: 12.0,
+            rate: 200.0,
+            inputs: vec![(0.0, 0.004, 0.5)],
+            start: vec![0.0, 0.4],
+            steps: vec![TAU / 2048.0; 2],
+        },
+        Case {
+            rig: "cart_pole",
+            seconds: 15.0,
+            rate: 100.0,
+            inputs: vec![(0.0, 2.0, 0.3)],
+            start: vec![0.0, PI - 0.3],
+            steps: vec![1e-4, TAU / 4096.0],
+        },
         Case { rig: "emps", seconds: 12.0, rate: 500.0, inputs: vec![(0.0, 2.5, 0.4)], start: vec![0.1], steps: vec![1e-5] },
     ]
 }
@@ -76,8 +90,7 @@ fn made(case: &Case, seed: u64) -> Made {
             t.iter().map(|t| level + amplitude * waves.iter().map(|(f, phase)| (TAU * f * t + phase).sin()).sum::<f64>() / 2.0).collect()
         })
         .collect();
-    let signals =
-        Signals::new(inputs.iter().map(|u| Signal { t: t.clone(), values: u.clone(), hold: Hold::Zero }).collect()).unwrap();
+    let signals = Signals::new(inputs.iter().map(|u| Signal { t: t.clone(), values: u.clone(), hold: Hold::Zero }).collect()).unwrap();
     let mut x = vec![0.0; d.states()];
     x[..d.coordinates].copy_from_slice(&case.start);
     let options = sim::Options { relative: 1e-7, absolute: 1e-9, ..sim::Options::default() };
@@ -91,7 +104,11 @@ fn made(case: &Case, seed: u64) -> Made {
             Column { name: model.names().output(i).to_owned(), unit: None, values }
         })
         .collect();
-    columns.extend(inputs.into_iter().enumerate().map(|(i, values)| Column { name: model.names().signal(i).to_owned(), unit: None, values }));
+    columns.extend(inputs.into_iter().enumerate().map(|(i, values)| Column {
+        name: model.names().signal(i).to_owned(),
+        unit: None,
+        values,
+    }));
     let record = Record { source: format!("{}.csv", case.rig), t, columns, declared: Vec::new(), start: Start::Free };
     Made { model, specs, ranges, record }
 }
@@ -161,8 +178,10 @@ fn table(rig: &str) {
         let listed = suspects(&found);
         let right = listed.len() == 1 && (*listed[0].0 == change || listed[0].1.contains(&change));
         missed += usize::from(!right);
-        let words: Vec<String> =
-            listed.iter().map(|(c, or)| std::iter::once(*c).chain(or.iter()).map(Change::claim).collect::<Vec<_>>().join(", or ")).collect();
+        let words: Vec<String> = listed
+            .iter()
+            .map(|(c, or)| std::iter::once(*c).chain(or.iter()).map(Change::claim).collect::<Vec<_>>().join(", or "))
+            .collect();
         let _ = writeln!(table, "  {:6} {:42} found: {}", if right { "ok" } else { "MISSED" }, change.claim(), words.join("; and "));
     }
     println!("{table}");
@@ -236,7 +255,12 @@ fn zeros_units_gaps_and_dead_channels() {
 
     let mut gap = googol.record.clone();
     gap.t.iter_mut().skip(900).for_each(|t| *t += 0.4);
-    assert!(look(&googol, &gap).faults.iter().any(|f| matches!(&f.kind, FaultKind::Gaps(g) if g.len() == 1 && (g[0].length - 0.41).abs() < 1e-9)));
+    assert!(
+        look(&googol, &gap)
+            .faults
+            .iter()
+            .any(|f| matches!(&f.kind, FaultKind::Gaps(g) if g.len() == 1 && (g[0].length - 0.41).abs() < 1e-9))
+    );
 
     let mut dead = googol.record.clone();
     column(&mut dead, "psi").iter_mut().for_each(|y| *y = 0.0);
@@ -260,4 +284,73 @@ fn two_faults_in_one_record() {
     names.sort();
     println!("{:#?}", found.faults.iter().map(|f| f.sentence()).collect::<Vec<_>>());
     assert_eq!(names, ["elevation", "travel"]);
+}
+
+fn rig_from(text: &str) -> (InProcess, Vec<ParameterSpec>) {
+    let checked = model_dsl::check_text("test.rig", text);
+    let rig = checked.rig.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
+    (InProcess::new(derive(&rig, Options::default()).unwrap()), ParameterSpec::of_rig(&rig))
+}
+
+/// What a mirror of the rig hides is said, not guessed: a turned input looks like a turned output, and the sign of a free
+/// swing shows in nothing.
+#[test]
+fn mirrors_are_named() {
+    let t: Vec<f64> = (0..2000).map(|k| 0.01 * f64::from(k)).collect();
+    let (cart, specs) = rig_from(
+        "rig Cart { param m: kg = 1; param c: N*s/m = 0.5; param k: N/m = 8; coord x: m; input F: N;
+         equation m * x.ddot = F - c * x.dot - k * x; }",
+    );
+    let force: Vec<f64> = t.iter().map(|t| (1.1 * t).sin() + (2.3 * t + 1.0).sin() + 0.5 * (5.1 * t).cos()).collect();
+    let signals = Signals::new(vec![Signal { t: t.clone(), values: force.clone(), hold: Hold::Zero }]).unwrap();
+    let mut p = vec![0.0; 3];
+    cart.nominal(&mut p);
+    let run = simulate(&cart, &p, &[0.0, 0.0], &signals, &t, &sim::Options::default()).unwrap();
+    let column = |name: &str, values: Vec<f64>| Column { name: name.to_owned(), unit: None, values };
+    let record =
+        |columns: Vec<Column>| Record { source: "r.csv".to_owned(), t: t.clone(), columns, declared: Vec::new(), start: Start::Free };
+    let turned = record(vec![column("x", run.output(0)), column("F", force.iter().map(|f| -f).collect())]);
+    let found = inspect(&cart, &specs, &[], &[turned], Hold::Zero).unwrap();
+    assert_eq!(found.faults.len(), 1);
+    println!("{}", found.faults[0].sentence());
+    let listed = suspects(&found);
+    let all: Vec<&Change> = std::iter::once(listed[0].0).chain(listed[0].1).collect();
+    assert!(all.contains(&&Change::SignOfOutput("x".to_owned())) && all.contains(&&Change::SignOfInput("F".to_owned())), "{all:?}");
+
+    let (pendulum, specs) =
+        rig_from("rig Swing { param a: 1/s^2 = 20; param c: 1/s = 0.1; coord q: rad; equation q.ddot = -a * sin(q) - c * q.dot; }");
+    let mut p = vec![0.0; 2];
+    pendulum.nominal(&mut p);
+    let run = simulate(&pendulum, &p, &[1.0, 0.0], &Signals::new(Vec::new()).unwrap(), &t, &sim::Options::default()).unwrap();
+    let swing = record(vec![column("q", run.output(0))]);
+    let found = inspect(&pendulum, &specs, &[], std::slice::from_ref(&swing), Hold::Zero).unwrap();
+    assert_eq!((found.faults.len(), found.records[0].untold.as_slice()), (0, [Change::SignOfOutput("q".to_owned())].as_slice()));
+
+    // gravity of the wrong sign, or the angle counted from the other end
+    let (wrong, specs) =
+        rig_from("rig Swing { param a: 1/s^2 = -20; param c: 1/s = 0.1; coord q: rad; equation q.ddot = -a * sin(q) - c * q.dot; }");
+    let found = inspect(&wrong, &specs, &[], &[swing], Hold::Zero).unwrap();
+    println!("{}", found.faults[0].sentence());
+    assert_eq!(found.faults[0].id(), "half_turn");
+}
+
+/// A delay of the input is measured, and none is where there is none.
+#[test]
+fn delays_are_measured() {
+    let all = cases();
+    let furuta = made(&all[2], 4);
+    let delays = |record: &Record| look(&furuta, record).records[0].delays.clone();
+    let none = delays(&furuta.record);
+    assert!(none.len() == 1 && none[0].seconds <= 0.01, "{none:?}");
+    let mut late = furuta.record.clone();
+    let input = column(&mut late, "tau");
+    let lead = 12;
+    // logged 12 samples before it acts
+    let acted = input.clone();
+    for k in 0..acted.len() {
+        input[k] = acted[(k + lead).min(acted.len() - 1)];
+    }
+    let found = delays(&late);
+    println!("no delay: {none:?}\n60 ms: {found:?}");
+    assert!(found.len() == 1 && (found[0].seconds - 0.06).abs() < 0.01, "{found:?}");
 }

@@ -55,11 +55,19 @@ pub fn run(args: &Excite) -> Result<Answer, Failure> {
     );
     for (i, u) in layout.u.iter().take(layout.inputs).enumerate() {
         let limits = loaded.rig.inputs.get(i).and_then(|i| i.limits);
-        let limits = limits.map_or_else(|| "no limits in the rig".to_owned(), |(lo, hi)| format!("limits {} .. {}", number(lo), number(hi)));
+        let limits =
+            limits.map_or_else(|| "no limits in the rig".to_owned(), |(lo, hi)| format!("limits {} .. {}", number(lo), number(hi)));
         let _ = writeln!(text, "  {:10} {} +- {} {}   ({limits})", u.name, number(trim.u[i]), number(found.amplitude[i]), u.unit);
     }
     for (i, q) in layout.q.iter().enumerate() {
-        let _ = writeln!(text, "  {:10} goes from {} to {}   ({})", q.name, shown(found.excursion[i].0, &q.unit), shown(found.excursion[i].1, &q.unit), within[i].words);
+        let _ = writeln!(
+            text,
+            "  {:10} goes from {} to {}   ({})",
+            q.name,
+            shown(found.excursion[i].0, &q.unit),
+            shown(found.excursion[i].1, &q.unit),
+            within[i].words
+        );
     }
     let _ = writeln!(text, "  its size is limited by {}", found.limited_by);
     text.push_str(&told(&found));
@@ -98,7 +106,11 @@ fn within(loaded: &Loaded, layout: &Layout, x: &[f64], cyclic: &[usize], given: 
             None if cyclic.contains(&i) => Within { below: f64::INFINITY, above: f64::INFINITY, words: "free to go anywhere".to_owned() },
             None => {
                 let reach = if q.unit == "m" { LENGTH } else { ANGLE };
-                Within { below: reach, above: reach, words: format!("within {} of the point, since the rig gives no range", shown(reach, &q.unit)) }
+                Within {
+                    below: reach,
+                    above: reach,
+                    words: format!("within {} of the point, since the rig gives no range", shown(reach, &q.unit)),
+                }
             }
         });
     }
@@ -158,7 +170,8 @@ fn csv(layout: &Layout, found: &Excitation) -> String {
 }
 
 fn document(loaded: &Loaded, layout: &Layout, found: &Excitation, args: &Excite, band: (f64, f64)) -> Value {
-    let named = |list: Vec<Value>, names: &[codegen::Variable]| names.iter().map(|n| n.name.clone()).zip(list).collect::<serde_json::Map<_, _>>();
+    let named =
+        |list: Vec<Value>, names: &[codegen::Variable]| names.iter().map(|n| n.name.clone()).zip(list).collect::<serde_json::Map<_, _>>();
     json!({
         "rig": loaded.rig.name,
         "words": found.words,

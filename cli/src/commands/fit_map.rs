@@ -22,7 +22,15 @@ pub fn run(args: &FitMap) -> Result<Answer, Failure> {
         return Err(Failure::new("C0602", format!("{}: no form can be fitted", args.pairs.display())));
     };
     let inverse = Inverse::of(best, x, y, found.range, &args.invert);
-    let mut text = format!("{}: {} pairs, {} from {} to {}{}\n\n", args.pairs.display(), x.values.len(), x.name, number(found.range.0), number(found.range.1), unit(x));
+    let mut text = format!(
+        "{}: {} pairs, {} from {} to {}{}\n\n",
+        args.pairs.display(),
+        x.values.len(),
+        x.name,
+        number(found.range.0),
+        number(found.range.1),
+        unit(x)
+    );
     let _ = writeln!(text, "{}    [{}], errors {}", best.form.written(&x.name, &y.name), best.form.id(), errors(best, y));
     for (i, name) in best.form.parameters().iter().enumerate() {
         let interval = best.std_error.as_ref().map_or_else(
@@ -125,7 +133,10 @@ impl Inverse {
         let expression = self.expression.clone().unwrap_or_else(|| format!("the {} within the range that solves the cubic", x.name));
         let mut text = format!("inverse: {expression}\n");
         let cell = |v: Option<f64>| v.map_or_else(|| "outside".to_owned(), number);
-        let rows = [(&y.name, self.values.iter().map(|v| number(v.0)).collect::<Vec<_>>()), (&x.name, self.values.iter().map(|v| cell(v.1)).collect())];
+        let rows = [
+            (&y.name, self.values.iter().map(|v| number(v.0)).collect::<Vec<_>>()),
+            (&x.name, self.values.iter().map(|v| cell(v.1)).collect()),
+        ];
         for (name, cells) in rows {
             let cells: Vec<String> = cells.iter().map(|c| format!("{c:>10}")).collect();
             let _ = writeln!(text, "  {name:6} {}", cells.join(" "));

@@ -25,9 +25,8 @@ pub fn run(args: &New) -> Result<Answer, Failure> {
         .with_help("rename the columns, or describe them in a .toml, with names of letters, digits and `_`"));
     }
     let refused = |e: std::io::Error| match e.kind() {
-        std::io::ErrorKind::AlreadyExists => {
-            Failure::new("C0401", format!("{} stands there already", path.display())).with_help("`rig new` never overwrites: choose another name with --out")
-        }
+        std::io::ErrorKind::AlreadyExists => Failure::new("C0401", format!("{} stands there already", path.display()))
+            .with_help("`rig new` never overwrites: choose another name with --out"),
         _ => Failure::new("C0402", format!("cannot write {}: {e}", path.display())),
     };
     let mut file = OpenOptions::new().write(true).create_new(true).open(&path).map_err(refused)?;

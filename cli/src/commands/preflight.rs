@@ -16,11 +16,8 @@ use std::fmt::Write;
 pub fn run(args: &Preflight) -> Result<Answer, Failure> {
     let loaded = load::load(&args.rig)?;
     let model = InProcess::new(load::equations(&loaded, Options::default())?);
-    let records = args
-        .data
-        .iter()
-        .map(|p| record::read(p).map_err(|e| Failure::new("C0501", e.to_string())))
-        .collect::<Result<Vec<_>, _>>()?;
+    let records =
+        args.data.iter().map(|p| record::read(p).map_err(|e| Failure::new("C0501", e.to_string()))).collect::<Result<Vec<_>, _>>()?;
     let specs = ParameterSpec::of_rig(&loaded.rig);
     let ranges: Vec<_> = loaded.rig.coordinates.iter().filter_map(|c| Some((c.name.clone(), c.range?))).collect();
     let found = inspect(&model, &specs, &ranges, &records, args.hold.into()).map_err(|e| Failure::new("C0502", e.to_string()))?;
@@ -29,8 +26,8 @@ pub fn run(args: &Preflight) -> Result<Answer, Failure> {
         if !text.is_empty() {
             text.push('\n');
         }
-        text.push_str(&words(facts));
         let faults: Vec<&Fault> = found.faults.iter().filter(|f| f.record == facts.source).collect();
+        text.push_str(&words(facts, faults.iter().any(|f| matches!(f.kind, FaultKind::Contradicts(_)))));
         for fault in &faults {
             let _ = writeln!(text, "  FAULT    {}\n           mend: {}", fault.sentence(), fault.mend());
         }
@@ -72,7 +69,8 @@ fn shown(unit: &str) -> &str {
     if unit == "rad" { "deg" } else { unit }
 }
 
-fn words(f: &Facts) -> String {
+/// `settled`: a fault says why the model does not explain the record.
+fn words(f: &Facts, settled: bool) -> String {
     let mut text = format!(
         "{}: {} samples, {} s at {} Hz, jitter {}{}\n",
         f.source,
@@ -112,13 +110,21 @@ fn words(f: &Facts) -> String {
         let parts: Vec<String> = f.unexplained.iter().map(|(n, e)| format!("{n}'' {}", part(*e))).collect();
         let _ = writeln!(text, "  the model leaves unexplained after a quick fit: {}", parts.join(", "));
         let worse: Vec<&str> = f.unexplained.iter().filter(|(_, e)| e.is_finite() && *e > 1.0).map(|(n, _)| n.as_str()).collect();
-        if !worse.is_empty() {
-            let _ = writeln!(text, "  (of {} it explains nothing: parameters far off, too little motion, or a fault that is not looked for)", worse.join(", "));
+        if !worse.is_empty() && !settled {
+            let _ = writeln!(
+                text,
+                "  (of {} it explains nothing: parameters far off, too little motion, or a fault that is not looked for)",
+                worse.join(", ")
+            );
         }
     }
     match &f.not_judged {
         Some(why) => {
-            let _ = writeln!(text, "  signs, exchanges and units were not checked: {}", why.replace("starting values from equation error are not to be had: ", ""));
+            let _ = writeln!(
+                text,
+                "  signs, exchanges and units were not checked: {}",
+                why.replace("starting values from equation error are not to be had: ", "")
+            );
         }
         None if !f.untold.is_empty() => {
             let list: Vec<String> = f.untold.iter().map(possibility).collect();
@@ -179,7 +185,13 @@ fn input_words(i: &InputFacts) -> String {
         String::new()
     };
     let levels = if i.levels <= 20 { format!(", {} levels", i.levels) } else { String::new() };
-    format!("  {:10} {} .. {} {unit}{levels}{limits}{}\n", prime(&i.name), number(i.range.0), number(i.range.1), if i.declared { " (declared)" } else { "" })
+    format!(
+        "  {:10} {} .. {} {unit}{levels}{limits}{}\n",
+        prime(&i.name),
+        number(i.range.0),
+        number(i.range.1),
+        if i.declared { " (declared)" } else { "" }
+    )
 }
 
 fn finite(x: f64) -> Value {

@@ -43,8 +43,7 @@ pub fn predict(
     let outputs: Vec<usize> = (0..d.outputs).collect();
     let period = t.last().copied().unwrap_or(1.0) / (t.len().max(2) - 1) as f64;
     let pattern = Pattern { method: FixedMethod::Classical, step: 0.5 * period };
-    let mut forward =
-        Forward::new(model, signals, t, &outputs, free, others, pattern).map_err(ExciteError::Simulation)?;
+    let mut forward = Forward::new(model, signals, t, &outputs, free, others, pattern).map_err(ExciteError::Simulation)?;
     let mut s0 = vec![0.0; states * columns];
     for i in 0..others {
         s0[i * columns + free.len() + i] = 1.0;

@@ -68,7 +68,13 @@ fn multisine(t: &[f64], inputs: usize, band: (f64, f64), seed: u64) -> Plan {
         .collect();
     let (first, last) = (lines.first().copied().unwrap_or(0.0) / duration, lines.last().copied().unwrap_or(0.0) / duration);
     let each = if inputs == 1 { String::new() } else { ", dealt out to the inputs in turn".to_owned() };
-    Plan { series, words: format!("multisine: {} lines from {first:.3} to {last:.3} Hz{each}, faded in, without drift, phases by seed {seed}", lines.len()) }
+    Plan {
+        series,
+        words: format!(
+            "multisine: {} lines from {first:.3} to {last:.3} Hz{each}, faded in, without drift, phases by seed {seed}",
+            lines.len()
+        ),
+    }
 }
 
 /// Takes out what would leave an axis without spring and friction turning, or elsewhere, at the end: makes both integrals

@@ -105,10 +105,15 @@ impl Change {
                 format!("in a description: `{a} = {{ .., offset = {PI:.4} }}` (or 180 with `unit = \"deg\"`); or count it so in the rig")
             }
             Self::Offset(a, by) => {
-                format!("if the encoder was zeroed there, write `encoder {a}: .. zero at {}` in the rig; otherwise free the masses", degrees(*by))
+                format!(
+                    "if the encoder was zeroed there, write `encoder {a}: .. zero at {}` in the rig; otherwise free the masses",
+                    degrees(*by)
+                )
             }
             Self::Foreign(_) => "check that input and output come from one run, and that their clocks start together".to_owned(),
-            Self::SignOfParameter(a) => format!("turn the sign of `{a}`, or look for the axis or the direction of gravity that it hangs on"),
+            Self::SignOfParameter(a) => {
+                format!("turn the sign of `{a}`, or look for the axis or the direction of gravity that it hangs on")
+            }
         }
     }
 

@@ -102,14 +102,27 @@ impl Fault {
             }
             FaultKind::Gaps(gaps) => {
                 let longest = gaps.iter().fold(gaps[0], |m, g| if g.length > m.length { *g } else { m });
-                let count = if gaps.len() == 1 { "samples are missing in one place".to_owned() } else { format!("samples are missing in {} places", gaps.len()) };
+                let count = if gaps.len() == 1 {
+                    "samples are missing in one place".to_owned()
+                } else {
+                    format!("samples are missing in {} places", gaps.len())
+                };
                 format!("{count}, the longest gap is {} s after t = {} s", short(longest.length), short(longest.after))
             }
             FaultKind::Dead { output, value } => {
-                format!("`{output}` never changes (it is {} throughout) while other outputs move: a dead channel, or a locked axis", short(*value))
+                format!(
+                    "`{output}` never changes (it is {} throughout) while other outputs move: a dead channel, or a locked axis",
+                    short(*value)
+                )
             }
             FaultKind::Quantum { output, seen, declared, unit } => {
-                let per = |q: f64| if unit == "rad" { format!("{:.0} counts a turn", std::f64::consts::TAU / q) } else { format!("{:.0} counts per {unit}", 1.0 / q) };
+                let per = |q: f64| {
+                    if unit == "rad" {
+                        format!("{:.0} counts a turn", std::f64::consts::TAU / q)
+                    } else {
+                        format!("{:.0} counts per {unit}", 1.0 / q)
+                    }
+                };
                 let ratio = seen / declared;
                 let hint = if unit == "rad" && (ratio.to_radians() - 1.0).abs() < 0.03 {
                     ": 57.3 times as much, as of degrees that are read as radians"
@@ -151,7 +164,9 @@ impl Fault {
                 format!("check the unit of the column; if it is right, write `encoder {output}: {counts:.0};` in the rig")
             }
             FaultKind::BeyondLimits { input, .. } => {
-                format!("check the sign and the unit of `{input}`; if they are right, widen the limits in the rig, or log what the amplifier sent out")
+                format!(
+                    "check the sign and the unit of `{input}`; if they are right, widen the limits in the rig, or log what the amplifier sent out"
+                )
             }
         }
     }

@@ -87,7 +87,8 @@ impl Judge<'_> {
             let data = [Data::new(&thin, self.model, self.hold)?];
             let (errors, p) = unexplained(self.model, &specs, &data, Preparation::WeakForm { window }, &limits)?;
             if found.unexplained.is_empty() {
-                found = Judgement { unexplained: errors.iter().map(|(n, _)| (n.clone(), 0.0)).collect(), windows: vec![0.0; errors.len()], p };
+                found =
+                    Judgement { unexplained: errors.iter().map(|(n, _)| (n.clone(), 0.0)).collect(), windows: vec![0.0; errors.len()], p };
             }
             for (i, (_, e)) in errors.into_iter().enumerate().filter(|(i, _)| self.windows[*i] == length) {
                 found.unexplained[i].1 = (e / 100.0).powi(2);

@@ -116,7 +116,11 @@ pub(super) fn search(judge: &Judge<'_>, record: &Record, names: &Names) -> Resul
         let mut tried: Vec<(Change, Judgement)> = fresh(names.wiring()).into_iter().filter_map(try_with).collect();
         let before = now.score(&silent);
         if round == 0 {
-            untold = tried.iter().filter(|(_, j)| now.worst() < TELLS && (j.score(&silent) - before).abs() < ALIKE).map(|(c, _)| c.clone()).collect();
+            untold = tried
+                .iter()
+                .filter(|(_, j)| now.worst() < TELLS && (j.score(&silent) - before).abs() < ALIKE)
+                .map(|(c, _)| c.clone())
+                .collect();
         }
         let unexplained = now.worst() > EXPLAINED || !before.is_finite();
         if unexplained {
@@ -181,7 +185,9 @@ fn foreign(judge: &Judge<'_>, record: &Record, names: &Names, now: &Judgement, s
     if judged.score(silent) > now.score(silent) + ALIKE {
         return None;
     }
-    let i = (0..now.unexplained.len()).filter(|i| !silent.contains(i)).max_by(|&a, &b| now.unexplained[a].1.total_cmp(&now.unexplained[b].1))?;
+    let i = (0..now.unexplained.len())
+        .filter(|i| !silent.contains(i))
+        .max_by(|&a, &b| now.unexplained[a].1.total_cmp(&now.unexplained[b].1))?;
     let unexplained = (now.unexplained[i].1.sqrt(), judged.unexplained[i].1.sqrt());
     Some((Suspect { change, alternatives: Vec::new(), equation: now.unexplained[i].0.clone(), unexplained }, judged))
 }

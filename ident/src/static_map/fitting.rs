@@ -67,7 +67,11 @@ pub(super) fn fit(form: Form, errors: Errors, x: &[f64], y: &[f64]) -> Option<Fi
             for _ in 0..10 {
                 let Some(weights) = weights(form, errors, &found.x, x) else { break };
                 problem.weights = weights;
+                let before = found.x.clone();
                 found = LevenbergMarquardt.minimize(&mut problem, &found.x, &Limits::default());
+                if found.x.iter().zip(&before).all(|(a, b)| (a - b).abs() <= 1e-9 * b.abs()) {
+                    break;
+                }
             }
         }
         let Some(deviance) = deviance(form, errors, &found.x, x, y) else { continue };

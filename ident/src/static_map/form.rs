@@ -117,9 +117,7 @@ impl Form {
     /// Parameters in their order, from linear coefficients and shape.
     pub(super) fn assembled(self, linear: &[f64], shape: &[f64]) -> Vec<f64> {
         match (self, linear, shape) {
-            (Self::Power | Self::DeadZonePower, _, _) | (Self::DeadZoneAffine | Self::DeadZoneQuadratic, _, _) => {
-                [linear, shape].concat()
-            }
+            (Self::Power | Self::DeadZonePower, _, _) | (Self::DeadZoneAffine | Self::DeadZoneQuadratic, _, _) => [linear, shape].concat(),
             (Self::PowerOffset, [a, c], [b]) => vec![*a, *b, *c],
             _ => linear.to_vec(),
         }
