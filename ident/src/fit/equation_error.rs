@@ -119,11 +119,14 @@ pub(crate) fn unexplained(
     data: &[Data],
     preparation: Preparation,
     limits: &Limits,
-) -> Result<(Vec<(String, f64)>, Vec<f64>), FitError> {
+) -> Result<(ErrorPercent, Vec<f64>), FitError> {
     let (problem, found) = solve(model, specs, data, preparation, limits)?;
     found.at.as_ref().ok_or_else(singular)?;
     Ok((problem.rows(&found.x).1, problem.parameters_of(&found.x, 0)))
 }
+
+/// Name of a coordinate, and the error of its equation in percent of the measured side.
+pub(crate) type ErrorPercent = Vec<(String, f64)>;
 
 fn singular() -> FitError {
     FitError::EquationError { why: "the mass matrix is singular along the measured motion".to_owned() }

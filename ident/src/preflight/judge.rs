@@ -75,7 +75,7 @@ impl Judge<'_> {
                 });
             }
         }
-        let limits = Limits { evaluations: 12, gradient: 1e-4, step: 1e-3, cost: 1e-4 };
+        let limits = Limits { evaluations: 6, gradient: 1e-4, step: 1e-3, cost: 1e-4 };
         let mut lengths = self.windows.clone();
         lengths.sort_by(f64::total_cmp);
         lengths.dedup();
