@@ -17,6 +17,7 @@
 
 mod answer;
 mod build;
+mod bumps;
 mod covariance;
 mod data;
 mod equation_error;

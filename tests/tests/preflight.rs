@@ -1,10 +1,10 @@
 //! Preflight on simulated records of five rigs: clean ones pass, every usual mistake is found.
 
 use codegen::{Options, derive};
-use cross_checks::{random::Random, rig_of, root};
+use cross_checks::{random::Random, record_folder, rig_of, root};
 use ident::fit::ParameterSpec;
 use ident::preflight::{Change, FaultKind, Preflight, inspect};
-use ident::record::{Column, Record, Start};
+use ident::record::{Column, Record, Start, read_with};
 use jit::InProcess;
 use runtime::Model;
 use sim::{Hold, Signal, Signals, encoder, simulate};
@@ -353,4 +353,33 @@ fn delays_are_measured() {
     let found = delays(&late);
     println!("no delay: {none:?}\n60 ms: {found:?}");
     assert!(found.len() == 1 && (found[0].seconds - 0.06).abs() < 0.01, "{found:?}");
+}
+
+/// The measured records that these rigs are of: clean as described, and the column that was logged turned is found.
+#[test]
+fn measured_records() {
+    let Some(folder) = record_folder() else {
+        println!("record test: skipped preflight of googol, emps, double_pendulum_dfki (RIG_DATA is not set)");
+        return;
+    };
+    println!("record test: ran preflight of googol, emps, double_pendulum_dfki");
+    for (rig, name) in [
+        ("googol_identified", "googol_open_loop_steps"),
+        ("googol_identified", "googol_elevation_identification"),
+        ("emps", "emps_DATA_EMPS"),
+        ("double_pendulum", "double_pendulum_dfki_designA_trajectory_03"),
+    ] {
+        let (model, specs, ranges) = example(rig);
+        let record = read_with(&root().join(format!("examples/records/{name}.toml")), Some(&folder)).unwrap();
+        let found = inspect(&model, &specs, &ranges, std::slice::from_ref(&record), Hold::Zero).unwrap();
+        let sentences: Vec<String> = found.faults.iter().map(|f| f.sentence()).collect();
+        println!("  {name}: {sentences:?}, unexplained {:.2?}", found.records[0].unexplained);
+        assert!(sentences.is_empty());
+        if name == "googol_open_loop_steps" {
+            let mut logged = record;
+            column(&mut logged, "theta").iter_mut().for_each(|y| *y = -*y);
+            let found = inspect(&model, &specs, &ranges, &[logged], Hold::Zero).unwrap();
+            assert_eq!(suspects(&found), [(&Change::SignOfOutput("theta".to_owned()), [].as_slice())]);
+        }
+    }
 }
