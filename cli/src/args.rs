@@ -42,6 +42,14 @@ pub enum Command {
     ClosedLoop(ClosedLoop),
     /// Lay free runs of rigs over a measured record.
     Compare(Compare),
+    /// Facts and faults of measured records, before anything is fitted to them.
+    Preflight(Preflight),
+    /// Start a rig from a record's header.
+    New(New),
+    /// Propose a first input within the limits, and say what it would tell.
+    Excite(Excite),
+    /// Fit a static map (voltage to thrust) to pairs, and invert it.
+    FitMap(FitMap),
     /// Fit a rig's parameters to measured records.
     Identify(Identify),
     /// Find where simulation and record disagree, name the missing effect, and show the gap shrink.
@@ -482,4 +490,89 @@ pub struct Diagnose {
     /// What logged inputs do between samples.
     #[arg(long, value_enum, default_value = "zero")]
     pub hold: Hold,
+}
+
+/// `rig preflight`.
+#[derive(Args)]
+pub struct Preflight {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Records.
+    #[arg(long, required = true, num_args = 1.., value_name = "RECORD")]
+    pub data: Vec<PathBuf>,
+    /// What logged inputs do between samples.
+    #[arg(long, value_enum, default_value = "zero")]
+    pub hold: Hold,
+}
+
+/// `rig new`.
+#[derive(Args)]
+pub struct New {
+    /// Name of the rig, as in `Heli`; the file is its name in small letters.
+    pub name: String,
+    /// The record whose columns become inputs, coordinates and outputs.
+    #[arg(long, value_name = "RECORD")]
+    pub data: PathBuf,
+    /// Columns that are inputs (default: guessed from names and units).
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub inputs: Vec<String>,
+    /// File to write (default: `NAME.rig`); nothing is ever overwritten.
+    #[arg(long, value_name = "RIG")]
+    pub out: Option<PathBuf>,
+}
+
+/// Shapes of a proposed input.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Shape {
+    /// Sines of different frequencies on each input, with seeded phases.
+    Multisine,
+    /// Steps up and down, then a sweep of the frequency.
+    Steps,
+}
+
+/// `rig excite`.
+#[derive(Args)]
+pub struct Excite {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Point about which the rig is excited.
+    #[command(flatten)]
+    pub point: Point,
+    /// Length of the record [s].
+    #[arg(long, default_value_t = 30.0, value_name = "SECONDS")]
+    pub duration: f64,
+    /// Samples per second.
+    #[arg(long, default_value_t = 100.0, value_name = "HZ")]
+    pub rate: f64,
+    /// Shape.
+    #[arg(long, value_enum, default_value = "multisine")]
+    pub shape: Shape,
+    /// How far a coordinate may go from the point: `name=value` with an optional unit (default: half way to the end of its
+    /// range; 20 deg, or 0.1 m, where it has none).
+    #[arg(long = "within", value_name = "NAME=VALUE")]
+    pub within: Vec<String>,
+    /// Seed of the phases.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Where the input goes.
+    #[arg(long, value_name = "CSV")]
+    pub out: PathBuf,
+    /// Overwrite the output file.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig fit-map`.
+#[derive(Args)]
+pub struct FitMap {
+    /// Pairs: CSV with a header, abscissa then ordinate, units in brackets (`V [V], f [N]`).
+    pub pairs: PathBuf,
+    /// One form instead of the choice among all.
+    #[arg(long, value_name = "FORM")]
+    pub form: Option<String>,
+    /// Evaluate the inverse at these ordinates.
+    #[arg(long, value_delimiter = ',', value_name = "Y1,Y2", allow_hyphen_values = true)]
+    pub invert: Vec<f64>,
 }

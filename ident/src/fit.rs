@@ -17,6 +17,7 @@
 
 mod answer;
 mod build;
+mod bumps;
 mod covariance;
 pub(crate) mod data;
 mod equation_error;
@@ -34,7 +35,9 @@ mod whiteness;
 
 pub use answer::{Estimate, Fit, InitialValue, RecordFigures, SignalFigure};
 pub use equation_error::{EquationErrorFit, Preparation, equation_error};
+pub(crate) use equation_error::{coordinates as measured_coordinates, unexplained};
 pub use error::FitError;
+pub(crate) use filter::rates;
 pub use identifiability::{Identifiable, TradeOff};
 pub use minimize::{Ending, LevenbergMarquardt, Limits, Minimizer};
 pub use options::{FitOptions, InitialStates, Known, Loss, Starting, Weights};
@@ -43,7 +46,7 @@ pub use whiteness::Whiteness;
 
 use crate::record::Record;
 use build::{assemble, check};
-use data::Data;
+pub(crate) use data::Data;
 use minimize::{Minimum, Objective};
 use objective::OutputError;
 use runtime::Model;

@@ -111,8 +111,14 @@ pub fn read_with(path: &Path, data: Option<&Path>) -> Result<Record, RecordError
     match extension.as_str() {
         "toml" => description::read(path, data),
         "mat" => Err(RecordError::new(path, Cause::NeedsDescription)),
+        "rig" => Err(RecordError::new(path, Cause::IsRig)),
         _ => header::read(path),
     }
+}
+
+/// The two (or more) named columns of a CSV file without time, in SI.
+pub(crate) fn named_columns(path: &Path) -> Result<Vec<Column>, RecordError> {
+    Ok(header::columns(path, "V [V], f [N]")?.0)
 }
 
 /// Checks time stamps and makes the record. `row_word` and `rows` say where row k stands in the file.

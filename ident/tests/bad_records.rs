@@ -43,8 +43,14 @@ fn cells_and_rows() {
     assert_eq!(csv("t,theta\n0,1\n1,abc\n"), "run.csv: line 3: `abc` in column `theta` is no number");
     assert_eq!(csv("t,theta\n0,1\n1,NaN\n"), "run.csv: line 3: `theta` is NaN; cut the record there (`from`, `to` in a description)");
     assert_eq!(csv("t,theta\n0,1\n1,inf\n"), "run.csv: line 3: `theta` is inf; cut the record there (`from`, `to` in a description)");
-    assert_eq!(csv("t,theta\n0,1\n1,2,3\n"), "run.csv: line 3 has 3 cells, the lines before it have 2");
-    assert_eq!(csv("t,theta\n0,1,2\n1,2,3\n"), "run.csv: line 2 has 3 cells, the lines before it have 2");
+    assert_eq!(
+        csv("t,theta\n0,1\n1,2,3\n"),
+        "run.csv: line 3 has 3 cells, the lines before it have 2; decimal commas split numbers in two: export with decimal points"
+    );
+    assert_eq!(
+        csv("t,theta\n0,1,2\n1,2,3\n"),
+        "run.csv: line 2 has 3 cells, the lines before it have 2; decimal commas split numbers in two: export with decimal points"
+    );
     assert_eq!(csv("t,theta\n0,1\n\n1,2\n"), "run.csv: line 3: the cell of `t` is empty; cut the record there, or fill in the sample");
 }
 
@@ -74,13 +80,22 @@ fn header() {
     );
     assert_eq!(csv("t,theta,theta\n0,1,2\n1,1,2\n"), "run.csv: two columns are named `theta`");
     assert_eq!(csv("t,\n0,1\n1,1\n"), "run.csv: column 2 has no name in the first line");
-    assert_eq!(csv("t,theta [degg]\n0,1\n1,1\n"), "run.csv: unit of `theta`: there is no unit `degg`");
+    assert_eq!(
+        csv("t,theta [degg]\n0,1\n1,1\n"),
+        "run.csv: unit of `theta`: there is no unit `degg`; write it as rigs do (`deg`, `mm`, `N*m`, `rad/s`), or leave it out where it is SI"
+    );
     assert_eq!(
         csv("t,theta [deg\n0,1\n1,1\n"),
         "run.csv: the column name `theta [deg` has no unit in brackets at its end; write `theta [deg]`"
     );
-    assert_eq!(csv("t,theta\n"), "run.csv: there are no samples");
-    assert_eq!(csv(""), "run.csv: there are no samples");
+    assert_eq!(
+        csv("t,theta\n"),
+        "run.csv: there are no samples; the first line names the columns (`t, theta [deg], u`), each line after it is one sample"
+    );
+    assert_eq!(
+        csv(""),
+        "run.csv: there are no samples; the first line names the columns (`t, theta [deg], u`), each line after it is one sample"
+    );
 }
 
 #[test]
@@ -138,7 +153,10 @@ fn description_keys() {
         toml(&format!("{RUN}[signals]\nx = {{ column = 2, limits = [5, -5] }}\n")),
         "run.toml: `signals.x.limits` takes two numbers, the lower one first: `[-5, 5]`"
     );
-    assert_eq!(toml(&format!("{RUN}[signals]\nx = {{ column = 2, unit = \"degg\" }}\n")), "run.toml: unit of `x`: there is no unit `degg`");
+    assert_eq!(
+        toml(&format!("{RUN}[signals]\nx = {{ column = 2, unit = \"degg\" }}\n")),
+        "run.toml: unit of `x`: there is no unit `degg`; write it as rigs do (`deg`, `mm`, `N*m`, `rad/s`), or leave it out where it is SI"
+    );
     assert_eq!(
         toml(&format!("{RUN}[signals]\nx = {{ unit = \"deg\" }}\n")),
         "run.toml: the key `signals.x.column` is missing: it says where in the file the signal stands"

@@ -7,11 +7,15 @@ mod demo;
 mod diagnose;
 mod diff;
 mod eval;
+mod excite;
 mod export;
+mod fit_map;
 mod generate;
 mod identify;
 pub mod linearize;
 mod lqr;
+mod new;
+mod preflight;
 mod show;
 mod simulate;
 mod trim;
@@ -39,6 +43,10 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Simulate(a) => simulate::run(&a),
         Command::ClosedLoop(a) => closed_loop::run(&a),
         Command::Compare(a) => compare::run(&a),
+        Command::Preflight(a) => preflight::run(&a),
+        Command::New(a) => new::run(&a),
+        Command::Excite(a) => excite::run(&a),
+        Command::FitMap(a) => fit_map::run(&a),
     }
 }
 

@@ -8,11 +8,12 @@
 
 use super::answer::Estimate;
 use super::build::{check, typical};
+use super::bumps::bumps;
 use super::covariance;
 use super::data::Data;
 use super::error::FitError;
 use super::filter::{Butterworth, rates};
-use super::minimize::{Ending, Evaluation, LevenbergMarquardt, Limits, Minimizer, Objective};
+use super::minimize::{Ending, Evaluation, LevenbergMarquardt, Limits, Minimizer, Minimum, Objective};
 use super::objective::Rows;
 use super::options::FitOptions;
 use super::specification::ParameterSpec;
@@ -78,34 +79,8 @@ pub(crate) fn fit(
     data: &[Data],
     preparation: Preparation,
 ) -> Result<EquationErrorFit, FitError> {
-    let base: Vec<f64> = specs.iter().map(|s| s.value).collect();
-    let records = data.iter().map(|d| Samples::new(model, &base, d, preparation)).collect::<Result<Vec<_>, _>>()?;
-    let mut unknowns = Vec::new();
-    let mut columns = vec![Vec::new(); data.len()];
-    let mut parameters = Vec::new();
-    for (i, s) in specs.iter().enumerate().filter(|(_, s)| s.free) {
-        parameters.push(i);
-        for (r, columns) in columns.iter_mut().enumerate() {
-            if s.per_record || r == 0 {
-                unknowns.push((i, s.per_record.then_some(r)));
-            }
-            columns.push(unknowns.len() - 1);
-        }
-    }
-    let n = model.dimensions().coordinates;
-    let mut problem = EquationError { model, specs, base, records, unknowns, columns, parameters, weights: vec![1.0; n], evaluations: 0 };
-    let start: Vec<f64> = problem.unknowns.iter().map(|&(i, _)| specs[i].value).collect();
-    problem.weigh(&start, true);
-    let limits = Limits::default();
-    let mut found = LevenbergMarquardt.minimize(&mut problem, &start, &limits);
-    // each equation by its own error, once the parameters are about right
-    for _ in 0..3 {
-        problem.weigh(&found.x, false);
-        found = LevenbergMarquardt.minimize(&mut problem, &found.x, &limits);
-    }
-    let Some(at) = found.at.clone() else {
-        return Err(FitError::EquationError { why: "the mass matrix is singular along the measured motion".to_owned() });
-    };
+    let (problem, found) = solve(model, specs, data, preparation, &Limits::default())?;
+    let at = found.at.as_ref().ok_or_else(singular)?;
     let (rows, error_percent) = problem.rows(&found.x);
     let held: Vec<bool> =
         problem.unknowns.iter().zip(&found.x).map(|(&(i, _), &x)| specs[i].bounds.is_some_and(|(lo, hi)| x <= lo || x >= hi)).collect();
@@ -135,6 +110,61 @@ pub(crate) fn fit(
         ending: found.ending,
         evaluations: problem.evaluations,
     })
+}
+
+/// Error of each coordinate's equation in percent of its measured side, after a search that may be short, and the parameters
+/// of the first record there.
+pub(crate) fn unexplained(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    data: &[Data],
+    preparation: Preparation,
+    limits: &Limits,
+) -> Result<(ErrorPercent, Vec<f64>), FitError> {
+    let (problem, found) = solve(model, specs, data, preparation, limits)?;
+    found.at.as_ref().ok_or_else(singular)?;
+    Ok((problem.rows(&found.x).1, problem.parameters_of(&found.x, 0)))
+}
+
+/// Name of a coordinate, and the error of its equation in percent of the measured side.
+pub(crate) type ErrorPercent = Vec<(String, f64)>;
+
+fn singular() -> FitError {
+    FitError::EquationError { why: "the mass matrix is singular along the measured motion".to_owned() }
+}
+
+fn solve<'a>(
+    model: &'a dyn Model,
+    specs: &'a [ParameterSpec],
+    data: &[Data],
+    preparation: Preparation,
+    limits: &Limits,
+) -> Result<(EquationError<'a>, Minimum), FitError> {
+    let base: Vec<f64> = specs.iter().map(|s| s.value).collect();
+    let records = data.iter().map(|d| Samples::new(model, &base, d, preparation)).collect::<Result<Vec<_>, _>>()?;
+    let mut unknowns = Vec::new();
+    let mut columns = vec![Vec::new(); data.len()];
+    let mut parameters = Vec::new();
+    for (i, s) in specs.iter().enumerate().filter(|(_, s)| s.free) {
+        parameters.push(i);
+        for (r, columns) in columns.iter_mut().enumerate() {
+            if s.per_record || r == 0 {
+                unknowns.push((i, s.per_record.then_some(r)));
+            }
+            columns.push(unknowns.len() - 1);
+        }
+    }
+    let n = model.dimensions().coordinates;
+    let mut problem = EquationError { model, specs, base, records, unknowns, columns, parameters, weights: vec![1.0; n], evaluations: 0 };
+    let start: Vec<f64> = problem.unknowns.iter().map(|&(i, _)| specs[i].value).collect();
+    problem.weigh(&start, true);
+    let mut found = LevenbergMarquardt.minimize(&mut problem, &start, limits);
+    // each equation by its own error, once the parameters are about right
+    for _ in 0..3 {
+        problem.weigh(&found.x, false);
+        found = LevenbergMarquardt.minimize(&mut problem, &found.x, limits);
+    }
+    Ok((problem, found))
 }
 
 /// Measured motion and the functionals that make equations of it.
@@ -231,39 +261,8 @@ fn differences(y: &[f64], period: f64) -> Vec<f64> {
         .collect()
 }
 
-struct Bump {
-    first: usize,
-    /// phi dt and phi'' dt by the trapezoidal rule, over the norm of phi.
-    weights: Vec<f64>,
-    second: Vec<f64>,
-}
-
-/// Bumps (s (1 - s))^4 along the record, overlapping by three quarters. (A cube would leave the trapezoidal rule an error of
-/// order dt^2, since its second derivative has a kink at the ends.)
-fn bumps(t: &[f64], window: usize) -> Vec<Bump> {
-    let hop = (window / 4).max(1);
-    (0..=t.len() - window)
-        .step_by(hop)
-        .map(|first| {
-            let inside = &t[first..first + window];
-            let length = inside[window - 1] - inside[0];
-            let mut weights = Vec::with_capacity(window);
-            let mut second = Vec::with_capacity(window);
-            for k in 0..window {
-                let s = (inside[k] - inside[0]) / length;
-                let dt = 0.5 * (inside[(k + 1).min(window - 1)] - inside[k.saturating_sub(1)]) / length;
-                let r = s * (1.0 - s);
-                weights.push(256.0 * r.powi(4) * dt);
-                // d2/ds2 of (s - s^2)^4
-                second.push(256.0 * (12.0 * (r * (1.0 - 2.0 * s)).powi(2) - 8.0 * r.powi(3)) * dt / (length * length));
-            }
-            Bump { first, weights, second }
-        })
-        .collect()
-}
-
 /// Measured coordinates, from outputs: Newton's steps, each sample from the one before.
-fn coordinates(model: &dyn Model, p: &[f64], data: &Data) -> Result<Vec<Vec<f64>>, FitError> {
+pub(crate) fn coordinates(model: &dyn Model, p: &[f64], data: &Data) -> Result<Vec<Vec<f64>>, FitError> {
     let d = model.dimensions();
     let (n, states, rows) = (d.coordinates, d.states(), data.outputs.len());
     let mut x = vec![0.0; states];
@@ -494,22 +493,5 @@ impl Lag {
         let right = DMatrix::from_fn(lags, m, |i, j| f[(at + i) * m + j] + inverse_dt * self.slopes[(i, j)]);
         self.slopes = lu.solve(&right)?;
         Some(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::bumps;
-
-    #[test]
-    fn bumps_shift_two_derivatives() {
-        let t: Vec<f64> = (0..200).map(|k| 0.01 * f64::from(k)).collect();
-        for b in bumps(&t, 60) {
-            let inside = &t[b.first..b.first + 60];
-            let apply = |w: &[f64], f: &dyn Fn(f64) -> f64| w.iter().zip(inside).map(|(w, t)| w * f(*t)).sum::<f64>();
-            let (left, right) = (apply(&b.second, &|t: f64| (3.0 * t).sin()), apply(&b.weights, &|t: f64| -9.0 * (3.0 * t).sin()));
-            // trapezoidal rule on a bump that is smooth at its ends
-            assert!((left - right).abs() < 2e-4, "{left} {right}");
-        }
     }
 }

@@ -68,6 +68,13 @@ pub enum Cause {
     NoHeader {
         /// What stands there.
         text: String,
+        /// A header as it should be.
+        example: &'static str,
+    },
+    /// A file of pairs with more or fewer columns than two.
+    NoPairs {
+        /// Columns that are there.
+        found: Vec<String>,
     },
     /// A column has no name.
     NoName {
@@ -110,6 +117,22 @@ pub enum Cause {
         /// Cells here.
         found: usize,
     },
+    /// The cells are separated by something else than commas.
+    Delimiter {
+        /// What stands between them: `semicolons` or `tabs`.
+        found: &'static str,
+        /// The word for a description.
+        word: &'static str,
+    },
+    /// Numbers are written with decimal commas.
+    DecimalCommas {
+        /// Where the first one stands.
+        row: Row,
+        /// As written.
+        text: String,
+    },
+    /// A rig was given where a record is wanted.
+    IsRig,
     /// A cell without anything in it.
     EmptyCell {
         /// Where.
@@ -294,8 +317,9 @@ impl fmt::Display for Cause {
                 "a MATLAB file does not say what its columns are; write a .toml beside it that names the file, the variable and the column of each signal",
             ),
             Self::Mat(e) => write!(f, "{e}"),
-            Self::NoRows => f.write_str("there are no samples"),
-            Self::NoHeader { text } => write!(f, "the first line starts with the number `{text}`; it has to name the columns: `t, theta [deg], u`"),
+            Self::NoRows => f.write_str("there are no samples; the first line names the columns (`t, theta [deg], u`), each line after it is one sample"),
+            Self::NoHeader { text, example } => write!(f, "the first line starts with the number `{text}`; it has to name the columns: `{example}`"),
+            Self::NoPairs { found } => write!(f, "pairs take two columns, abscissa then ordinate; here are {}: {}", found.len(), list(found)),
             Self::NoName { column } => write!(f, "column {column} has no name in the first line"),
             Self::TwiceNamed { column } => write!(f, "two columns are named `{column}`"),
             Self::NoTime { found } => write!(
@@ -303,10 +327,23 @@ impl fmt::Display for Cause {
                 "there is no column of time; name it `t` (seconds), or give its column or the rate in a description file (columns: {})",
                 list(found)
             ),
-            Self::Unit { column, why } => write!(f, "unit of `{column}`: {why}"),
+            Self::Unit { column, why } => {
+                write!(f, "unit of `{column}`: {why}; write it as rigs do (`deg`, `mm`, `N*m`, `rad/s`), or leave it out where it is SI")
+            }
             Self::TimeUnit { unit } => write!(f, "`{unit}` is no unit of time; write `t` (seconds), `t [ms]` or `t [min]`"),
             Self::Bracket { text } => write!(f, "the column name `{text}` has no unit in brackets at its end; write `theta [deg]`"),
-            Self::Cells { row, wanted, found } => write!(f, "{row} has {found} cells, the lines before it have {wanted}"),
+            Self::Cells { row, wanted, found } => {
+                write!(f, "{row} has {found} cells, the lines before it have {wanted}")?;
+                if found > wanted { f.write_str("; decimal commas split numbers in two: export with decimal points") } else { Ok(()) }
+            }
+            Self::Delimiter { found, word } => write!(
+                f,
+                "the cells are separated by {found}; a record has commas: export it anew, or read it through a description with `delimiter = \"{word}\"`"
+            ),
+            Self::DecimalCommas { row, text } => {
+                write!(f, "{row}: `{text}` has a decimal comma, which is not read; export the numbers with decimal points")
+            }
+            Self::IsRig => f.write_str("this is a rig, not a record; records are `.csv` files, or `.toml` files that describe one"),
             Self::EmptyCell { row, column } => write!(f, "{row}: the cell of `{column}` is empty; cut the record there, or fill in the sample"),
             Self::NotANumber { row, column, text } => write!(f, "{row}: `{text}` in column `{column}` is no number"),
             Self::NotFinite { row, column, value } => write!(f, "{row}: `{column}` is {value}; cut the record there (`from`, `to` in a description)"),

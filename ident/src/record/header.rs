@@ -1,22 +1,30 @@
 //! A record as CSV: the first line names the columns, `t` and the rig's names, units in brackets.
 
 use super::error::{Cause, RecordError};
+use super::table::Table;
 use super::{Column, Record, Start, finish, text};
 use model_dsl::units::{Dimension, Unit};
 use std::path::Path;
 
 /// Reads a CSV record.
 pub(crate) fn read(path: &Path) -> Result<Record, RecordError> {
-    let bytes = std::fs::read(path).map_err(|e| RecordError::new(path, Cause::CannotRead { why: e.to_string() }))?;
-    parse(path, &bytes)
+    let (mut columns, table) = columns(path, "t, theta [deg], u")?;
+    let error = |cause| RecordError::new(path, cause);
+    let Some(at) = columns.iter().position(|c| c.name == "t") else {
+        return Err(error(Cause::NoTime { found: columns.into_iter().map(|c| c.name).collect() }));
+    };
+    let time = columns.remove(at);
+    check_time_unit(time.unit.as_ref()).map_err(&error)?;
+    finish(path, time.values, columns, Vec::new(), Start::default(), &|k| table.place(k))
 }
 
-/// Parses the bytes of a CSV record; `path` is for messages.
-pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Record, RecordError> {
+/// Named columns of a CSV file in SI; `example` is a header as it should be.
+pub(crate) fn columns(path: &Path, example: &'static str) -> Result<(Vec<Column>, Table), RecordError> {
     let error = |cause| RecordError::new(path, cause);
-    let table = text::parse(path, bytes, text::Layout { delimiter: Some(b','), header: 1 })?;
+    let bytes = std::fs::read(path).map_err(|e| error(Cause::CannotRead { why: e.to_string() }))?;
+    let table = text::parse(path, &bytes, text::Layout { delimiter: Some(b','), header: 1 })?;
     if let Some(number) = table.names.first().filter(|n| n.parse::<f64>().is_ok()) {
-        return Err(error(Cause::NoHeader { text: number.clone() }));
+        return Err(error(Cause::NoHeader { text: number.clone(), example }));
     }
     if table.names.len() != table.columns.len() {
         return Err(error(Cause::Cells { row: table.place(0), wanted: table.names.len(), found: table.columns.len() }));
@@ -38,12 +46,7 @@ pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Record, RecordError> {
         }
         columns.push(Column { name, unit, values });
     }
-    let Some(at) = columns.iter().position(|c| c.name == "t") else {
-        return Err(error(Cause::NoTime { found: columns.into_iter().map(|c| c.name).collect() }));
-    };
-    let time = columns.remove(at);
-    check_time_unit(time.unit.as_ref()).map_err(&error)?;
-    finish(path, time.values, columns, Vec::new(), Start::default(), &|k| table.place(k))
+    Ok((columns, table))
 }
 
 /// A unit of time, or none.

@@ -72,7 +72,7 @@ impl fmt::Display for MatError {
                 "this is a MAT file of level 7.3 (HDF5), which is not read; in MATLAB save it anew: `load run.mat; save('run.mat', '-v7')`, \
                  or in Python: `scipy.io.savemat('run.mat', dict(h5py.File('old.mat')))` with each matrix transposed",
             ),
-            Self::NotMat => f.write_str("this is no MAT file of level 4 or 5"),
+            Self::NotMat => f.write_str("this is no MAT file of level 4 or 5; a text file needs the ending `.csv` or `.txt`"),
             Self::Truncated { what, offset } => write!(f, "the file ends inside of {what}, which begins at byte {offset}; it was not copied completely"),
             Self::Corrupt { why, offset } => write!(f, "the file is damaged at byte {offset}: {why}"),
             Self::Inflate { offset } => write!(f, "the compressed variable at byte {offset} cannot be unpacked; the file is damaged"),

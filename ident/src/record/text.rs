@@ -40,6 +40,13 @@ pub(crate) fn parse(path: &Path, bytes: &[u8], layout: Layout) -> Result<Table, 
             Ok(())
         })?;
     }
+    // what the header is separated by tells what the rest is
+    for (found, word, other) in [("semicolons", "semicolon", b';'), ("tabs", "tab", b'\t')] {
+        let cells = header.as_bytes().iter().filter(|b| **b == other).count();
+        if layout.delimiter == Some(b',') && cells > 0 && cells >= names.len() {
+            return Err(error(Cause::Delimiter { found, word }));
+        }
+    }
     let mut table = Table { names, columns: Vec::new(), first_line: Some(layout.header + 1) };
     let mut next = 1;
     split(skip_lines(text, layout.header).as_bytes(), layout.delimiter, &mut |line, cells| {
@@ -59,8 +66,11 @@ pub(crate) fn parse(path: &Path, bytes: &[u8], layout: Layout) -> Result<Table, 
             if cell.is_empty() {
                 return Err(error(Cause::EmptyCell { row, column: table.name(j) }));
             }
-            let value: f64 =
-                cell.parse().map_err(|_| error(Cause::NotANumber { row, column: table.name(j), text: cell.chars().take(40).collect() }))?;
+            let value: f64 = cell.parse().map_err(|_| {
+                let text: String = cell.chars().take(40).collect();
+                let comma = cell.replacen(',', ".", 1).parse::<f64>().is_ok();
+                error(if comma { Cause::DecimalCommas { row, text } } else { Cause::NotANumber { row, column: table.name(j), text } })
+            })?;
             table.columns[j].push(value);
         }
         Ok(())
