@@ -37,6 +37,7 @@ pub use equation_error::{EquationErrorFit, Preparation, equation_error};
 pub use error::FitError;
 pub use identifiability::{Identifiable, TradeOff};
 pub use minimize::{Ending, LevenbergMarquardt, Limits, Minimizer};
+pub use report::figures;
 pub use options::{FitOptions, InitialStates, Known, Loss, Starting, Weights};
 pub use specification::{ParameterSpec, select};
 pub use whiteness::Whiteness;
@@ -89,7 +90,7 @@ pub fn identify(
         }
     }
     let mut fit = report::answer(model, specs, &data, &mut problem, &solved, options)?;
-    fit.test = report::tests(model, &fit.p, tests, options)?;
+    report::judge(model, specs, &mut fit, (records, tests), options)?;
     fit.started_from = started_from;
     fit.patterns = patterns;
     fit.evaluations = evaluations;
@@ -152,16 +153,21 @@ fn search(
         let file = problem.pieces.iter().find(|p| p.record == record).map_or_else(String::new, |p| p.data.source.clone());
         return Err(FitError::NoStart { file, status });
     };
-    let mut found = LevenbergMarquardt.minimize(problem, &theta, &options.limits);
-    if options.weights == Weights::Noise {
+    // while scales still move there is no point in a sharp minimum
+    let coarse = Limits { cost: options.limits.cost.max(1e-5), ..options.limits };
+    let noise = options.weights == Weights::Noise;
+    let mut found = LevenbergMarquardt.minimize(problem, &theta, if noise { &coarse } else { &options.limits });
+    if noise {
         for _ in 0..ROUNDS {
             let Some(change) = build::reweight(problem, &found.x, options) else { break };
-            let again = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
-            found = again;
-            if change < 1e-4 {
+            let settled = change < 1e-3;
+            found = LevenbergMarquardt.minimize(problem, &found.x, if settled { &options.limits } else { &coarse });
+            if settled && change < 1e-4 {
                 break;
             }
         }
+        // the last search must have been a sharp one
+        found = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
     }
     Ok((found, starts[k].0.clone()))
 }

@@ -4,6 +4,7 @@ mod check;
 mod compare;
 mod demo;
 mod diff;
+mod equation_error;
 mod eval;
 mod export;
 mod generate;

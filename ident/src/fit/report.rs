@@ -15,7 +15,7 @@ use crate::compare::{CompareError, CompareOptions, compare, fit_percent, rmse};
 use crate::record::Record;
 use nalgebra::DMatrix;
 use runtime::Model;
-use sim::Forward;
+use sim::{Forward, Hold};
 
 /// Lags of the whiteness test.
 const LAGS: usize = 20;
@@ -92,6 +92,8 @@ pub(crate) fn answer(
         train: train(model, data, problem, theta, &p_of_record)?,
         p_of_record,
         test: Vec::new(),
+        before: Vec::new(),
+        before_test: Vec::new(),
         started_from: String::new(),
         patterns: Vec::new(),
         evaluations: 0,
@@ -216,33 +218,66 @@ fn train(
                 signal: model.names().output(output).to_owned(),
                 fit_percent: fit_percent(&data.measured[i], &simulated[i]),
                 rmse: rmse(&data.measured[i], &simulated[i]),
+                hold: None,
             })
             .collect();
         let valid_until = status.time().unwrap_or(data.times[data.times.len() - 1]);
-        out.push(RecordFigures { record: data.source.clone(), signals, status, valid_until });
+        out.push(RecordFigures { record: data.source.clone(), signals, status, valid_until, horizon: None });
     }
     Ok(out)
 }
 
-/// Free runs over records that were not used, from the state that their first samples give.
-pub(crate) fn tests(model: &dyn Model, p: &[f64], records: &[Record], options: &FitOptions) -> Result<Vec<RecordFigures>, FitError> {
-    let choices = CompareOptions { hold: options.hold, ..CompareOptions::default() };
-    records
-        .iter()
-        .map(|record| {
-            let c = compare(model, p, record, &choices).map_err(|e| match e {
-                CompareError::Match(e) => FitError::Match(e),
-                CompareError::Simulation(e) => FitError::Simulation(e),
-            })?;
-            let signals = c.signals.into_iter();
-            Ok(RecordFigures {
-                record: record.source.clone(),
-                signals: signals.map(|s| SignalFigure { signal: s.name, fit_percent: s.fit_percent, rmse: s.rmse }).collect(),
-                status: c.status,
-                valid_until: c.valid_until,
-            })
-        })
-        .collect()
+/// Figures of parameters over records, each from the state that its first samples give: free runs, or predictions over
+/// `horizon` seconds, by record or where the free run says nothing.
+///
+/// # Errors
+/// [`FitError::Match`], [`FitError::Simulation`].
+pub fn figures(model: &dyn Model, p: &[f64], records: &[Record], hold: Hold, horizon: Option<f64>) -> Result<Vec<RecordFigures>, FitError> {
+    records.iter().map(|record| figure(model, p, record, hold, horizon)).collect()
+}
+
+/// As [`figures`], for one record.
+pub(crate) fn figure(model: &dyn Model, p: &[f64], record: &Record, hold: Hold, horizon: Option<f64>) -> Result<RecordFigures, FitError> {
+    let choices = CompareOptions { hold, horizon, ..CompareOptions::default() };
+    let c = compare(model, p, record, &choices).map_err(|e| match e {
+        CompareError::Match(e) => FitError::Match(e),
+        CompareError::Simulation(e) => FitError::Simulation(e),
+    })?;
+    let signals = c.figures().into_iter();
+    Ok(RecordFigures {
+        record: record.source.clone(),
+        signals: signals.map(|s| SignalFigure { signal: s.name, fit_percent: s.fit_percent, rmse: s.rmse, hold: s.hold }).collect(),
+        horizon: c.horizon(),
+        status: c.status,
+        valid_until: c.valid_until,
+    })
+}
+
+/// Figures over training and test records, after and before the fit. A training record whose free run says nothing is
+/// judged by predictions, too; before and after are judged over the same horizon.
+pub(crate) fn judge(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    fit: &mut Fit,
+    (records, tests): (&[Record], &[Record]),
+    options: &FitOptions,
+) -> Result<(), FitError> {
+    let hold = options.hold;
+    let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
+    for (r, record) in records.iter().enumerate() {
+        let after = figure(model, &fit.p_of_record[r], record, hold, options.horizon)?;
+        let horizon = after.horizon;
+        if horizon.is_some() && r < fit.train.len() {
+            fit.train[r] = after;
+        }
+        fit.before.push(figure(model, &nominal, record, hold, horizon)?);
+    }
+    for record in tests {
+        let after = figure(model, &fit.p, record, hold, options.horizon)?;
+        fit.before_test.push(figure(model, &nominal, record, hold, after.horizon)?);
+        fit.test.push(after);
+    }
+    Ok(())
 }
 
 fn describe(options: &FitOptions) -> String {
@@ -259,6 +294,10 @@ fn describe(options: &FitOptions) -> String {
         Loss::Huber(k) => format!("half the sum of Huber's loss (k = {k})"),
         Loss::Cauchy(k) => format!("half the sum of Cauchy's loss (k = {k})"),
     };
-    let pieces = options.shooting.map_or_else(String::new, |s| format!(", in pieces of {s} s (multiple shooting)"));
+    let pieces = match options.shooting {
+        None => String::new(),
+        Some(s) if options.joined => format!(", in pieces of {s} s (multiple shooting)"),
+        Some(s) => format!(", in windows of {s} s, each from a fitted state"),
+    };
     format!("{loss} of {over}, priors added{pieces}")
 }
