@@ -70,7 +70,7 @@ pub fn identify(
     let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
     let mut starts = starts(model, specs, &data, nominal, options)?;
     let mut evaluations = 0;
-    let mut patterns = build::patterns(model, &starts[0].1, &data, options)?;
+    let mut patterns = build::first_patterns(model, &starts, &data, options)?;
     let mut solved;
     let mut problem;
     let mut started_from;

@@ -88,6 +88,28 @@ fn runs(model: &dyn Model, p: &[f64], data: &Data, options: &FitOptions) -> Vec<
         .collect()
 }
 
+/// Integration steps to begin with: the cheapest of those that the first starts ask for. Bad starting values can make a
+/// run wild, and steps that follow it through are of no use; [`refine`] mends steps that were too coarse.
+pub(crate) fn first_patterns(
+    model: &dyn Model,
+    starts: &[(String, Vec<Vec<f64>>)],
+    data: &[Data],
+    options: &FitOptions,
+) -> Result<Vec<Pattern>, FitError> {
+    let mut cheapest: Vec<Pattern> = Vec::new();
+    for (_, p) in starts.iter().take(2) {
+        let found = patterns(model, p, data, options)?;
+        if cheapest.is_empty() {
+            cheapest = found;
+        } else {
+            for (kept, found) in cheapest.iter_mut().zip(found).filter(|(kept, found)| pattern::cheaper(found, kept)) {
+                *kept = found;
+            }
+        }
+    }
+    Ok(cheapest)
+}
+
 /// Integration steps for each record.
 pub(crate) fn patterns(model: &dyn Model, p: &[Vec<f64>], data: &[Data], options: &FitOptions) -> Result<Vec<Pattern>, FitError> {
     data.iter()

@@ -13,6 +13,11 @@ fn stages(method: FixedMethod) -> usize {
     }
 }
 
+/// Pattern `a` needs fewer evaluations of the model than `b`.
+pub(crate) fn cheaper(a: &Pattern, b: &Pattern) -> bool {
+    stages(a.method) as f64 / a.step < stages(b.method) as f64 / b.step
+}
+
 /// Allowed error of each measured output: `tolerance` parts of its quantum, or of 1e-4 of its spread.
 pub(crate) fn allowed(model: &dyn Model, p: &[f64], data: &Data, tolerance: f64) -> Vec<f64> {
     data.outputs

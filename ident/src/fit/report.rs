@@ -15,7 +15,7 @@ use crate::compare::{CompareError, CompareOptions, compare, fit_percent, rmse};
 use crate::record::Record;
 use nalgebra::DMatrix;
 use runtime::Model;
-use sim::{Forward, Hold};
+use sim::{Forward, Hold, Status};
 
 /// Lags of the whiteness test.
 const LAGS: usize = 20;
@@ -227,34 +227,54 @@ fn train(
     Ok(out)
 }
 
+/// How far ahead a model is judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Ahead {
+    /// A free run, but a prediction where that neither follows the record nor could.
+    Sensible,
+    /// A free run.
+    Free,
+    /// A prediction over so many seconds.
+    Seconds(f64),
+}
+
 /// Figures of parameters over records, each from the state that its first samples give: free runs, or predictions over
-/// `horizon` seconds, by record or where the free run says nothing.
+/// `horizon` seconds, by request or where the free run says nothing.
 ///
 /// # Errors
 /// [`FitError::Match`], [`FitError::Simulation`].
 pub fn figures(model: &dyn Model, p: &[f64], records: &[Record], hold: Hold, horizon: Option<f64>) -> Result<Vec<RecordFigures>, FitError> {
-    records.iter().map(|record| figure(model, p, record, hold, horizon)).collect()
+    let ahead = horizon.map_or(Ahead::Sensible, Ahead::Seconds);
+    records.iter().map(|record| figure(model, p, record, hold, ahead)).collect()
 }
 
 /// As [`figures`], for one record.
-pub(crate) fn figure(model: &dyn Model, p: &[f64], record: &Record, hold: Hold, horizon: Option<f64>) -> Result<RecordFigures, FitError> {
+fn figure(model: &dyn Model, p: &[f64], record: &Record, hold: Hold, ahead: Ahead) -> Result<RecordFigures, FitError> {
+    let horizon = if let Ahead::Seconds(h) = ahead { Some(h) } else { None };
     let choices = CompareOptions { hold, horizon, ..CompareOptions::default() };
     let c = compare(model, p, record, &choices).map_err(|e| match e {
         CompareError::Match(e) => FitError::Match(e),
         CompareError::Simulation(e) => FitError::Simulation(e),
     })?;
-    let signals = c.figures().into_iter();
-    Ok(RecordFigures {
-        record: record.source.clone(),
-        signals: signals.map(|s| SignalFigure { signal: s.name, fit_percent: s.fit_percent, rmse: s.rmse, hold: s.hold }).collect(),
-        horizon: c.horizon(),
-        status: c.status,
-        valid_until: c.valid_until,
-    })
+    let run = c.signals.iter().map(|s| SignalFigure { signal: s.name.clone(), fit_percent: s.fit_percent, rmse: s.rmse, hold: None });
+    let run: Vec<SignalFigure> = run.collect();
+    let free = ahead == Ahead::Free || ahead == Ahead::Sensible && c.status == Status::Completed && follows(&run);
+    let (signals, horizon) = if free {
+        (run, None)
+    } else {
+        let figures = c.figures().into_iter();
+        (figures.map(|s| SignalFigure { signal: s.name, fit_percent: s.fit_percent, rmse: s.rmse, hold: s.hold }).collect(), c.horizon())
+    };
+    Ok(RecordFigures { record: record.source.clone(), signals, horizon, status: c.status, valid_until: c.valid_until })
+}
+
+/// A run that is nearer to every signal than its mean says something, however sensitive it is.
+fn follows(signals: &[SignalFigure]) -> bool {
+    signals.iter().all(|s| s.fit_percent.is_none_or(|f| f > 0.0))
 }
 
 /// Figures over training and test records, after and before the fit. A training record whose free run says nothing is
-/// judged by predictions, too; before and after are judged over the same horizon.
+/// judged by predictions, too; before and after are judged in the same way.
 pub(crate) fn judge(
     model: &dyn Model,
     specs: &[ParameterSpec],
@@ -264,17 +284,22 @@ pub(crate) fn judge(
 ) -> Result<(), FitError> {
     let hold = options.hold;
     let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
+    let ahead = options.horizon.map_or(Ahead::Sensible, Ahead::Seconds);
+    let same = |after: &RecordFigures| after.horizon.map_or(Ahead::Free, Ahead::Seconds);
     for (r, record) in records.iter().enumerate() {
-        let after = figure(model, &fit.p_of_record[r], record, hold, options.horizon)?;
-        let horizon = after.horizon;
-        if horizon.is_some() && r < fit.train.len() {
-            fit.train[r] = after;
+        let run = fit.train.get(r).filter(|t| ahead == Ahead::Sensible && t.status == Status::Completed && follows(&t.signals));
+        if run.is_none() {
+            let after = figure(model, &fit.p_of_record[r], record, hold, ahead)?;
+            if after.horizon.is_some() && r < fit.train.len() {
+                fit.train[r] = after;
+            }
         }
-        fit.before.push(figure(model, &nominal, record, hold, horizon)?);
+        let way = fit.train.get(r).map_or(ahead, same);
+        fit.before.push(figure(model, &nominal, record, hold, way)?);
     }
     for record in tests {
-        let after = figure(model, &fit.p, record, hold, options.horizon)?;
-        fit.before_test.push(figure(model, &nominal, record, hold, after.horizon)?);
+        let after = figure(model, &fit.p, record, hold, ahead)?;
+        fit.before_test.push(figure(model, &nominal, record, hold, same(&after))?);
         fit.test.push(after);
     }
     Ok(())
