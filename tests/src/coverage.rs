@@ -157,7 +157,7 @@ pub fn study(case: &Case, runs: usize, seed: u64) -> Outcome {
     select(&mut specs, Some(&free), &[]).unwrap_or_else(|e| panic!("{}: {e}", case.name));
     let mut random = Random::new(seed);
     let mut outcome = Outcome { runs, covered: vec![0; free.len()], diverged: 0, worst: 0.0, evaluations: 0 };
-    for _ in 0..runs {
+    for run in 0..runs {
         let truth: Vec<f64> = specs.iter().map(|s| if s.free { s.value * random.within(0.7, 1.4) } else { s.value }).collect();
         let record = record(case, &model, &specs, &truth, &mut random);
         let mut off = specs.clone();
@@ -171,6 +171,7 @@ pub fn study(case: &Case, runs: usize, seed: u64) -> Outcome {
         outcome.evaluations += fit.evaluations;
         let noisy = fit.train[0].signals.iter().zip(case.quanta).any(|(s, q)| s.rmse.is_none_or(|e| e > 1.2 * q * NOISE));
         if noisy || !fit.ending.converged() {
+            eprintln!("{}, run {run}: {}, errors {:?}", case.name, fit.ending, fit.train[0].signals);
             outcome.diverged += 1;
         }
         for (e, covered) in fit.parameters.iter().zip(&mut outcome.covered) {

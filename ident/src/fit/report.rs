@@ -87,7 +87,7 @@ pub(crate) fn answer(
         ending: found.ending,
         intervals: format!("{}; errors hang together over {:.0} samples", covariance::SOURCE, cov.memory.max(1.0)),
         memory: cov.memory,
-        identifiable: told(specs, data, problem, &at, &cov, &wanted),
+        identifiable: told(specs, data, problem, theta, &at, &cov, &wanted),
         whiteness: white,
         train: train(model, data, problem, theta, &p_of_record)?,
         p_of_record,
@@ -169,6 +169,7 @@ fn told(
     specs: &[ParameterSpec],
     data: &[Data],
     problem: &OutputError<'_>,
+    theta: &[f64],
     at: &Evaluation,
     cov: &Covariance,
     wanted: &[usize],
@@ -188,7 +189,8 @@ fn told(
                 Some(r) if data.len() > 1 => format!("{} ({})", spec.name, data[r].source),
                 _ => spec.name.clone(),
             });
-            sizes.push(typical(spec));
+            // a start far below the value would make what is told well look dead
+            sizes.push(typical(spec).max(theta[i].abs()));
         }
     }
     identifiable(&names, &sizes, &normal, cov.inflation)
