@@ -98,6 +98,9 @@ pub fn identify(
     Ok(fit)
 }
 
+/// Name of the start from the values of the specification.
+const NOMINAL: &str = "nominal";
+
 /// Samples of the bumps of the weak form that are tried for starting values.
 const WINDOWS: [usize; 4] = [16, 40, 100, 250];
 
@@ -114,7 +117,7 @@ fn starts(
 ) -> Result<Vec<Starts>, FitError> {
     let mut starts = Vec::new();
     if options.starting != Starting::EquationError {
-        starts.push(("nominal".to_owned(), vec![nominal; data.len()]));
+        starts.push((NOMINAL.to_owned(), vec![nominal; data.len()]));
     }
     if options.starting != Starting::Nominal {
         let shortest = data.iter().map(|d| d.times.len()).min().unwrap_or(0);
@@ -133,30 +136,51 @@ fn starts(
     Ok(starts)
 }
 
-/// From the best start to the minimum; where scales are estimated, in turn with them.
+/// Errors over the spread of the signals (root mean square) above which a minimum is not taken for the only one.
+const POOR: f64 = 0.3;
+
+/// From the best start to the minimum; where scales are estimated, in turn with them. The cost at a start says little of
+/// where it leads if runs from there are wild: where the search ends badly, the best start of the other kind is tried too.
 fn search(
     problem: &mut OutputError<'_>,
     starts: &mut [(String, Vec<Vec<f64>>)],
     options: &FitOptions,
 ) -> Result<(Minimum, String), FitError> {
-    let mut best: Option<(f64, usize, Vec<f64>)> = None;
+    let mut at: Vec<(f64, usize, Vec<f64>)> = Vec::new();
     for (k, (_, p)) in starts.iter().enumerate() {
         let theta = build::start(problem, p);
-        if let Some(at) = problem.evaluate(&theta)
-            && best.as_ref().is_none_or(|(cost, ..)| at.cost < *cost)
-        {
-            best = Some((at.cost, k, theta));
+        if let Some(found) = problem.evaluate(&theta) {
+            at.push((found.cost, k, theta));
         }
     }
-    let Some((_, k, theta)) = best else {
+    at.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((_, best, _)) = at.first() else {
         let (record, status) = problem.failure.clone().unwrap_or((0, sim::Status::Completed));
         let file = problem.pieces.iter().find(|p| p.record == record).map_or_else(String::new, |p| p.data.source.clone());
         return Err(FitError::NoStart { file, status });
     };
+    let nominal = |k: usize| starts[k].0 == NOMINAL;
+    let other = at.iter().find(|(_, k, _)| nominal(*k) != nominal(*best));
+    let samples: usize = problem.pieces.iter().map(|p| (p.range.1 - p.range.0) * p.data.outputs.len()).sum();
     // while scales still move there is no point in a sharp minimum
     let coarse = Limits { cost: options.limits.cost.max(1e-5), ..options.limits };
     let noise = options.weights == Weights::Noise;
-    let mut found = LevenbergMarquardt.minimize(problem, &theta, if noise { &coarse } else { &options.limits });
+    let limits = if noise { &coarse } else { &options.limits };
+    let (mut k, mut found): (usize, Option<Minimum>) = (*best, None);
+    for (_, start, theta) in at.first().into_iter().chain(other) {
+        let poor = |m: &Minimum| {
+            let relative = !matches!(options.weights, Weights::Given(_));
+            !m.ending.converged() || relative && (2.0 * m.cost() / samples.max(1) as f64).sqrt() > POOR
+        };
+        if found.as_ref().is_some_and(|m| !poor(m)) {
+            break;
+        }
+        let again = LevenbergMarquardt.minimize(problem, theta, limits);
+        if found.as_ref().is_none_or(|m| again.cost() < m.cost()) {
+            (k, found) = (*start, Some(again));
+        }
+    }
+    let Some(mut found) = found else { return Err(FitError::NoRecord) };
     if noise {
         for _ in 0..ROUNDS {
             let Some(change) = build::reweight(problem, &found.x, options) else { break };

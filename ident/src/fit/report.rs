@@ -165,6 +165,7 @@ fn slope_of(model: &dyn Model, p: &[f64], x: &[f64], state: usize, piece: &Piece
 }
 
 /// What the records tell of the parameters, those of the day under the name of their record.
+#[allow(clippy::too_many_arguments)]
 fn told(
     specs: &[ParameterSpec],
     data: &[Data],
