@@ -37,8 +37,8 @@ pub use equation_error::{EquationErrorFit, Preparation, equation_error};
 pub use error::FitError;
 pub use identifiability::{Identifiable, TradeOff};
 pub use minimize::{Ending, LevenbergMarquardt, Limits, Minimizer};
-pub use report::figures;
 pub use options::{FitOptions, InitialStates, Known, Loss, Starting, Weights};
+pub use report::figures;
 pub use specification::{ParameterSpec, select};
 pub use whiteness::Whiteness;
 
@@ -76,7 +76,8 @@ pub fn identify(
     let mut started_from;
     loop {
         problem = assemble(model, specs, &data, &patterns, options)?;
-        (solved, started_from) = search(&mut problem, &mut starts, options)?;
+        let again = || short_runs(model, specs, &data, &starts, options);
+        (solved, started_from) = search(&mut problem, &starts, &again, options)?;
         evaluations += problem.evaluations;
         // the steps were chosen for the start; they must do for the result too
         let finer = build::refine(model, &problem, &solved.x, &data, &patterns, options)?;
@@ -140,10 +141,12 @@ fn starts(
 const POOR: f64 = 0.3;
 
 /// From the best start to the minimum; where scales are estimated, in turn with them. The cost at a start says little of
-/// where it leads if runs from there are wild: where the search ends badly, the best start of the other kind is tried too.
+/// where it leads if runs from there are wild: where the search ends badly, the best start of the other kind is tried too, and then
+/// the parameters of short runs.
 fn search(
     problem: &mut OutputError<'_>,
-    starts: &mut [(String, Vec<Vec<f64>>)],
+    starts: &[Starts],
+    last_resort: &dyn Fn() -> Option<Starts>,
     options: &FitOptions,
 ) -> Result<(Minimum, String), FitError> {
     let mut at: Vec<(f64, usize, Vec<f64>)> = Vec::new();
@@ -166,18 +169,27 @@ fn search(
     let coarse = Limits { cost: options.limits.cost.max(1e-5), ..options.limits };
     let noise = options.weights == Weights::Noise;
     let limits = if noise { &coarse } else { &options.limits };
-    let (mut k, mut found): (usize, Option<Minimum>) = (*best, None);
+    let (mut from, mut found): (String, Option<Minimum>) = (starts[*best].0.clone(), None);
+    let poor = |m: &Minimum| {
+        let relative = !matches!(options.weights, Weights::Given(_));
+        !m.ending.converged() || relative && (2.0 * m.cost() / samples.max(1) as f64).sqrt() > POOR
+    };
     for (_, start, theta) in at.first().into_iter().chain(other) {
-        let poor = |m: &Minimum| {
-            let relative = !matches!(options.weights, Weights::Given(_));
-            !m.ending.converged() || relative && (2.0 * m.cost() / samples.max(1) as f64).sqrt() > POOR
-        };
         if found.as_ref().is_some_and(|m| !poor(m)) {
             break;
         }
         let again = LevenbergMarquardt.minimize(problem, theta, limits);
         if found.as_ref().is_none_or(|m| again.cost() < m.cost()) {
-            (k, found) = (*start, Some(again));
+            (from, found) = (starts[*start].0.clone(), Some(again));
+        }
+    }
+    if found.as_ref().is_none_or(poor)
+        && let Some((name, p)) = last_resort()
+    {
+        let theta = build::start(problem, &p);
+        let again = LevenbergMarquardt.minimize(problem, &theta, limits);
+        if found.as_ref().is_none_or(|m| again.cost() < m.cost()) {
+            (from, found) = (name, Some(again));
         }
     }
     let Some(mut found) = found else { return Err(FitError::NoRecord) };
@@ -193,5 +205,33 @@ fn search(
         // the last search must have been a sharp one
         found = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
     }
-    Ok((found, starts[k].0.clone()))
+    Ok((found, from))
+}
+
+/// Runs into which a record is cut for starting values.
+const SHORT_RUNS: f64 = 15.0;
+
+/// Parameters from short runs, each from a state of its own: no run is long enough to go wild. `None` where that fails, or
+/// where the fit is made in pieces anyway.
+fn short_runs(model: &dyn Model, specs: &[ParameterSpec], data: &[Data], starts: &[Starts], options: &FitOptions) -> Option<Starts> {
+    if options.shooting.is_some() {
+        return None;
+    }
+    let shortest = data.iter().map(|d| d.times[d.times.len() - 1] - d.times[0]).fold(f64::INFINITY, f64::min);
+    let options = FitOptions { shooting: Some(shortest / SHORT_RUNS), joined: false, ..options.clone() };
+    let patterns = build::first_patterns(model, starts, data, &options).ok()?;
+    let mut problem = assemble(model, specs, data, &patterns, &options).ok()?;
+    let mut best: Option<(f64, Vec<f64>)> = None;
+    for (_, p) in starts {
+        let theta = build::start(&problem, p);
+        if let Some(at) = problem.evaluate(&theta)
+            && best.as_ref().is_none_or(|(cost, _)| at.cost < *cost)
+        {
+            best = Some((at.cost, theta));
+        }
+    }
+    let limits = Limits { cost: options.limits.cost.max(1e-5), ..options.limits };
+    let found = LevenbergMarquardt.minimize(&mut problem, &best?.1, &limits);
+    found.at.as_ref()?;
+    Some(("short runs".to_owned(), (0..data.len()).map(|r| problem.parameters(&found.x, r)).collect()))
 }

@@ -9,7 +9,10 @@ fn main() {
     let number = |at: usize, otherwise: u64| std::env::args().nth(at).and_then(|a| a.parse().ok()).unwrap_or(otherwise);
     let (runs, seed) = (number(1, 100) as usize, number(2, 7));
     println!("{runs} random parameter sets a rig, seed {seed}; starting values off by a factor of two");
-    println!("{:18} {:>9} {:>9} {:>16} {:>9} {:>13} {:>12}   each parameter", "rig", "intervals", "covered", "95 % interval", "diverged", "worst error", "evaluations");
+    println!(
+        "{:18} {:>9} {:>9} {:>16} {:>9} {:>13} {:>12}   each parameter",
+        "rig", "intervals", "covered", "95 % interval", "diverged", "worst error", "evaluations"
+    );
     let only = std::env::args().nth(3);
     for case in CASES.iter().filter(|c| only.as_deref().is_none_or(|o| o == c.name)) {
         let began = Instant::now();

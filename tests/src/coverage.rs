@@ -59,7 +59,7 @@ pub const CASES: [Case; 4] = [
         rig: Source::Text(PENDULUM),
         free: &["J", "c", "K"],
         hold: 0.375,
-        levels: |_, random| vec![random.within(-3.0, 3.0)],
+        levels: |_, random| vec![random.within(-2.0, 2.0)],
         initial: &[0.2, -0.5],
         period: 0.005,
         samples: 1500,

@@ -66,7 +66,14 @@ pub(crate) fn choose(model: &dyn Model, p: &[f64], runs: &[Run], data: &Data, al
 }
 
 /// The outputs of a pattern agree with those of half its step.
-pub(crate) fn suffices(model: &dyn Model, p: &[f64], runs: &[Run], data: &Data, allowed: &[f64], pattern: Pattern) -> Result<bool, FitError> {
+pub(crate) fn suffices(
+    model: &dyn Model,
+    p: &[f64],
+    runs: &[Run],
+    data: &Data,
+    allowed: &[f64],
+    pattern: Pattern,
+) -> Result<bool, FitError> {
     let coarse = outputs(model, p, runs, data, pattern)?;
     let fine = outputs(model, p, runs, data, Pattern { step: 0.5 * pattern.step, ..pattern })?;
     Ok(agree(&coarse, &fine, allowed))
