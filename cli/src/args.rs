@@ -403,6 +403,20 @@ impl From<InitialRates> for ident::fit::Known {
     }
 }
 
+/// How `rig identify` fits.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// The model's run is laid over the record, and the errors of the outputs are lowered.
+    OutputError,
+    /// The differential equations with the measured motion put in: smoothed derivatives (--cutoff) or the weak form (--bump).
+    EquationError,
+}
+
+/// A frequency in hertz, with or without its unit.
+fn hertz(text: &str) -> Result<f64, String> {
+    text.trim().trim_end_matches("Hz").trim_end().parse().map_err(|_| "a frequency such as `100` or `100Hz` is wanted".to_owned())
+}
+
 /// `rig identify`.
 #[derive(Args)]
 pub struct Identify {
@@ -430,9 +444,30 @@ pub struct Identify {
     /// Large errors count less (Huber's loss).
     #[arg(long)]
     pub robust: bool,
-    /// Multiple shooting with pieces of this length [s].
+    /// How parameters are fitted.
+    #[arg(long, value_enum, default_value = "output-error")]
+    pub method: Method,
+    /// Multiple shooting: pieces of this length [s], held together at their ends.
     #[arg(long, value_name = "SECONDS")]
     pub shooting: Option<f64>,
+    /// Short runs of this length [s], each from a fitted state and not held together: for unstable rigs.
+    #[arg(long, value_name = "SECONDS", conflicts_with = "shooting")]
+    pub windows: Option<f64>,
+    /// Judge by predictions this many seconds ahead instead of free runs (default: where the free run says nothing).
+    #[arg(long, value_name = "SECONDS")]
+    pub horizon: Option<f64>,
+    /// Equation error by smoothed derivatives: cut-off of the zero-phase low pass [Hz].
+    #[arg(long, value_name = "HZ", value_parser = hertz)]
+    pub cutoff: Option<f64>,
+    /// Equation error by smoothed derivatives: order of the Butterworth low pass.
+    #[arg(long, value_name = "N", default_value_t = 4)]
+    pub order: usize,
+    /// Equation error by smoothed derivatives: keep every N-th equation, after a second low pass.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub decimate: usize,
+    /// Equation error in weak form: samples of a test function.
+    #[arg(long, value_name = "SAMPLES", default_value_t = 40, conflicts_with = "cutoff")]
+    pub bump: usize,
     /// What logged inputs do between samples.
     #[arg(long, value_enum, default_value = "zero")]
     pub hold: Hold,

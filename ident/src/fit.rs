@@ -41,6 +41,7 @@ pub(crate) use filter::rates;
 pub use identifiability::{Identifiable, TradeOff};
 pub use minimize::{Ending, LevenbergMarquardt, Limits, Minimizer};
 pub use options::{FitOptions, InitialStates, Known, Loss, Starting, Weights};
+pub use report::figures;
 pub use specification::{ParameterSpec, select};
 pub use whiteness::Whiteness;
 
@@ -72,13 +73,14 @@ pub fn identify(
     let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
     let mut starts = starts(model, specs, &data, nominal, options)?;
     let mut evaluations = 0;
-    let mut patterns = build::patterns(model, &starts[0].1, &data, options)?;
+    let mut patterns = build::first_patterns(model, &starts, &data, options)?;
     let mut solved;
     let mut problem;
     let mut started_from;
     loop {
         problem = assemble(model, specs, &data, &patterns, options)?;
-        (solved, started_from) = search(&mut problem, &mut starts, options)?;
+        let again = || short_runs(model, specs, &data, &starts, options);
+        (solved, started_from) = search(&mut problem, &starts, &again, options)?;
         evaluations += problem.evaluations;
         // the steps were chosen for the start; they must do for the result too
         let finer = build::refine(model, &problem, &solved.x, &data, &patterns, options)?;
@@ -92,13 +94,16 @@ pub fn identify(
         }
     }
     let mut fit = report::answer(model, specs, &data, &mut problem, &solved, options)?;
-    fit.test = report::tests(model, &fit.p, tests, options)?;
+    report::judge(model, specs, &mut fit, (records, tests), options)?;
     fit.started_from = started_from;
     fit.patterns = patterns;
     fit.evaluations = evaluations;
     fit.seconds = began.elapsed().as_secs_f64();
     Ok(fit)
 }
+
+/// Name of the start from the values of the specification.
+const NOMINAL: &str = "nominal";
 
 /// Samples of the bumps of the weak form that are tried for starting values.
 const WINDOWS: [usize; 4] = [16, 40, 100, 250];
@@ -116,7 +121,7 @@ fn starts(
 ) -> Result<Vec<Starts>, FitError> {
     let mut starts = Vec::new();
     if options.starting != Starting::EquationError {
-        starts.push(("nominal".to_owned(), vec![nominal; data.len()]));
+        starts.push((NOMINAL.to_owned(), vec![nominal; data.len()]));
     }
     if options.starting != Starting::Nominal {
         let shortest = data.iter().map(|d| d.times.len()).min().unwrap_or(0);
@@ -135,36 +140,101 @@ fn starts(
     Ok(starts)
 }
 
-/// From the best start to the minimum; where scales are estimated, in turn with them.
+/// Errors over the spread of the signals (root mean square) above which a minimum is not taken for the only one.
+const POOR: f64 = 0.3;
+
+/// From the best start to the minimum; where scales are estimated, in turn with them. The cost at a start says little of
+/// where it leads if runs from there are wild: where the search ends badly, the best start of the other kind is tried too, and then
+/// the parameters of short runs.
 fn search(
     problem: &mut OutputError<'_>,
-    starts: &mut [(String, Vec<Vec<f64>>)],
+    starts: &[Starts],
+    last_resort: &dyn Fn() -> Option<Starts>,
     options: &FitOptions,
 ) -> Result<(Minimum, String), FitError> {
-    let mut best: Option<(f64, usize, Vec<f64>)> = None;
+    let mut at: Vec<(f64, usize, Vec<f64>)> = Vec::new();
     for (k, (_, p)) in starts.iter().enumerate() {
         let theta = build::start(problem, p);
-        if let Some(at) = problem.evaluate(&theta)
-            && best.as_ref().is_none_or(|(cost, ..)| at.cost < *cost)
-        {
-            best = Some((at.cost, k, theta));
+        if let Some(found) = problem.evaluate(&theta) {
+            at.push((found.cost, k, theta));
         }
     }
-    let Some((_, k, theta)) = best else {
+    at.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((_, best, _)) = at.first() else {
         let (record, status) = problem.failure.clone().unwrap_or((0, sim::Status::Completed));
         let file = problem.pieces.iter().find(|p| p.record == record).map_or_else(String::new, |p| p.data.source.clone());
         return Err(FitError::NoStart { file, status });
     };
-    let mut found = LevenbergMarquardt.minimize(problem, &theta, &options.limits);
-    if options.weights == Weights::Noise {
+    let nominal = |k: usize| starts[k].0 == NOMINAL;
+    let other = at.iter().find(|(_, k, _)| nominal(*k) != nominal(*best));
+    let samples: usize = problem.pieces.iter().map(|p| (p.range.1 - p.range.0) * p.data.outputs.len()).sum();
+    // while scales still move there is no point in a sharp minimum
+    let coarse = Limits { cost: options.limits.cost.max(1e-5), ..options.limits };
+    let noise = options.weights == Weights::Noise;
+    let limits = if noise { &coarse } else { &options.limits };
+    let (mut from, mut found): (String, Option<Minimum>) = (starts[*best].0.clone(), None);
+    let poor = |m: &Minimum| {
+        let relative = !matches!(options.weights, Weights::Given(_));
+        !m.ending.converged() || relative && (2.0 * m.cost() / samples.max(1) as f64).sqrt() > POOR
+    };
+    for (_, start, theta) in at.first().into_iter().chain(other) {
+        if found.as_ref().is_some_and(|m| !poor(m)) {
+            break;
+        }
+        let again = LevenbergMarquardt.minimize(problem, theta, limits);
+        if found.as_ref().is_none_or(|m| again.cost() < m.cost()) {
+            (from, found) = (starts[*start].0.clone(), Some(again));
+        }
+    }
+    if found.as_ref().is_none_or(poor)
+        && let Some((name, p)) = last_resort()
+    {
+        let theta = build::start(problem, &p);
+        let again = LevenbergMarquardt.minimize(problem, &theta, limits);
+        if found.as_ref().is_none_or(|m| again.cost() < m.cost()) {
+            (from, found) = (name, Some(again));
+        }
+    }
+    let Some(mut found) = found else { return Err(FitError::NoRecord) };
+    if noise {
         for _ in 0..ROUNDS {
             let Some(change) = build::reweight(problem, &found.x, options) else { break };
-            let again = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
-            found = again;
-            if change < 1e-4 {
+            let settled = change < 1e-3;
+            found = LevenbergMarquardt.minimize(problem, &found.x, if settled { &options.limits } else { &coarse });
+            if settled && change < 1e-4 {
                 break;
             }
         }
+        // the last search must have been a sharp one
+        found = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
     }
-    Ok((found, starts[k].0.clone()))
+    Ok((found, from))
+}
+
+/// Runs into which a record is cut for starting values.
+const SHORT_RUNS: f64 = 15.0;
+
+/// Parameters from short runs, each from a state of its own: no run is long enough to go wild. `None` where that fails, or
+/// where the fit is made in pieces anyway.
+fn short_runs(model: &dyn Model, specs: &[ParameterSpec], data: &[Data], starts: &[Starts], options: &FitOptions) -> Option<Starts> {
+    if options.shooting.is_some() {
+        return None;
+    }
+    let shortest = data.iter().map(|d| d.times[d.times.len() - 1] - d.times[0]).fold(f64::INFINITY, f64::min);
+    let options = FitOptions { shooting: Some(shortest / SHORT_RUNS), joined: false, ..options.clone() };
+    let patterns = build::first_patterns(model, starts, data, &options).ok()?;
+    let mut problem = assemble(model, specs, data, &patterns, &options).ok()?;
+    let mut best: Option<(f64, Vec<f64>)> = None;
+    for (_, p) in starts {
+        let theta = build::start(&problem, p);
+        if let Some(at) = problem.evaluate(&theta)
+            && best.as_ref().is_none_or(|(cost, _)| at.cost < *cost)
+        {
+            best = Some((at.cost, theta));
+        }
+    }
+    let limits = Limits { cost: options.limits.cost.max(1e-5), ..options.limits };
+    let found = LevenbergMarquardt.minimize(&mut problem, &best?.1, &limits);
+    found.at.as_ref()?;
+    Some(("short runs".to_owned(), (0..data.len()).map(|r| problem.parameters(&found.x, r)).collect()))
 }

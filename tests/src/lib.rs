@@ -5,6 +5,7 @@ pub mod c_compiler;
 pub mod c_program;
 pub mod calls;
 pub mod close;
+pub mod coverage;
 #[rustfmt::skip]
 pub mod named;
 pub mod odd_rigs;

@@ -1,11 +1,12 @@
 //! `rig identify`: grey-box identification on one or several records, judged on others.
 
-use crate::args::Identify;
+use super::equation_error;
+use crate::args::{Identify, Method};
 use crate::failure::Failure;
 use crate::load;
 use crate::output::{Answer, number, prime};
 use codegen::Options;
-use ident::fit::{Fit, FitOptions, InitialStates, Known, Loss, ParameterSpec, RecordFigures, identify, select};
+use ident::fit::{Estimate, Fit, FitOptions, InitialStates, Known, Loss, ParameterSpec, RecordFigures, SignalFigure, identify, select};
 use ident::record::{self, Record};
 use jit::InProcess;
 use serde_json::{Map, Value, json};
@@ -24,13 +25,18 @@ pub fn run(args: &Identify) -> Result<Answer, Failure> {
     let names = |list: &[String]| list.iter().map(|s| s.trim().to_owned()).collect::<Vec<_>>();
     let free = (!args.free.is_empty()).then(|| names(&args.free));
     select(&mut specs, free.as_deref(), &names(&args.fix)).map_err(failed)?;
+    if args.method == Method::EquationError {
+        return equation_error::run(args, &loaded.rig.name, &model, &specs, (&records, &tests));
+    }
     let initial = args.rates.map(|rates| InitialStates { coordinates: Known::Prior, rates: rates.into() });
     let options = FitOptions {
         weights: args.weights.into(),
         loss: if args.robust { Loss::Huber(1.345) } else { Loss::Squares },
         initial,
         hold: args.hold.into(),
-        shooting: args.shooting,
+        shooting: args.windows.or(args.shooting),
+        joined: args.windows.is_none(),
+        horizon: args.horizon,
         ..FitOptions::default()
     };
     eprintln!("fitting {} parameters to {} records ..", specs.iter().filter(|s| s.free).count(), records.len());
@@ -47,22 +53,7 @@ fn words(rig: &str, fit: &Fit) -> String {
         fit.started_from
     );
     let _ = writeln!(text, "minimized: {}; {} = cost\n", fit.objective, number(fit.cost));
-    let width = fit.parameters.iter().map(|e| e.name.chars().count()).max().unwrap_or(0).max(9);
-    let _ =
-        writeln!(text, "  {:width$}  {:>12}  {:>12}  {:>27}  {:>12}", "parameter", "value", "std. error", "95 % interval", "started at");
-    for e in &fit.parameters {
-        let name = e.record.as_ref().map_or_else(|| e.name.clone(), |r| format!("{} ({r})", e.name));
-        let sd = e.std_error.map_or_else(|| "not told".to_owned(), number);
-        let interval = e.ci95.map_or_else(|| "-".to_owned(), |(lo, hi)| format!("{} .. {}", number(lo), number(hi)));
-        let bound = if e.at_bound { "  at its bound" } else { "" };
-        let _ = writeln!(
-            text,
-            "  {name:width$}  {:>12}  {sd:>12}  {interval:>27}  {:>12}  {}{bound}",
-            number(e.value),
-            number(e.initial),
-            e.unit
-        );
-    }
+    estimates(&mut text, &fit.parameters);
     let _ = writeln!(text, "  intervals: {}", fit.intervals);
     for s in fit.initial_states.iter().filter(|s| s.free) {
         let prior = s.prior.map_or_else(String::new, |(mean, sd)| format!("   (first samples: {} +- {})", number(mean), number(sd)));
@@ -77,16 +68,8 @@ fn words(rig: &str, fit: &Fit) -> String {
         let members: Vec<String> = t.members.iter().map(|(n, w)| format!("{} {n}", number(*w))).collect();
         let _ = writeln!(text, "  only {} is told: along {} nothing changes", t.name, members.join(", "));
     }
-    for (what, list) in [("training", &fit.train), ("held out", &fit.test)] {
-        for figures in list {
-            let cells: Vec<String> = figures
-                .signals
-                .iter()
-                .map(|s| format!("{} {}", s.signal, s.fit_percent.map_or_else(|| "constant".to_owned(), |f| format!("{f:.1} %"))))
-                .collect();
-            let end = if figures.status == sim::Status::Completed { String::new() } else { format!("   {}", figures.status) };
-            let _ = writeln!(text, "{what:9} {}: {}{end}", figures.record, cells.join(", "));
-        }
+    for (what, before, after) in [("training", &fit.before, &fit.train), ("held out", &fit.before_test, &fit.test)] {
+        followed(&mut text, what, before, after);
     }
     let coloured: Vec<String> = fit.whiteness.iter().filter(|w| w.p_value < 0.01).map(|w| w.output.clone()).collect();
     if !coloured.is_empty() {
@@ -95,13 +78,62 @@ fn words(rig: &str, fit: &Fit) -> String {
     text
 }
 
+/// The table of parameters.
+pub(super) fn estimates(text: &mut String, parameters: &[Estimate]) {
+    let width = parameters.iter().map(|e| e.name.chars().count()).max().unwrap_or(0).max(9);
+    let _ =
+        writeln!(text, "  {:width$}  {:>12}  {:>12}  {:>27}  {:>12}", "parameter", "value", "std. error", "95 % interval", "started at");
+    for e in parameters {
+        let name = e.record.as_ref().map_or_else(|| e.name.clone(), |r| format!("{} ({r})", e.name));
+        let sd = e.std_error.map_or_else(|| "not told".to_owned(), number);
+        let interval = e.ci95.map_or_else(|| "-".to_owned(), |(lo, hi)| format!("{} .. {}", number(lo), number(hi)));
+        let bound = if e.at_bound { "  at its bound" } else { "" };
+        let _ = writeln!(
+            text,
+            "  {name:width$}  {:>12}  {sd:>12}  {interval:>27}  {:>12}  {}{bound}",
+            number(e.value),
+            number(e.initial),
+            e.unit
+        );
+    }
+}
+
+/// How the model follows records, with the figures of the starting values in brackets.
+pub(super) fn followed(text: &mut String, what: &str, before: &[RecordFigures], after: &[RecordFigures]) {
+    for (k, figures) in after.iter().enumerate() {
+        let percent = |fit: Option<f64>| fit.map_or_else(|| "constant".to_owned(), |f| format!("{f:.1} %"));
+        let cells: Vec<String> = figures
+            .signals
+            .iter()
+            .map(|s| {
+                let was = before.get(k).and_then(|b| b.signals.iter().find(|b| b.signal == s.signal));
+                let was = was.map_or_else(String::new, |b| format!(" (was {})", percent(b.fit_percent)));
+                let hold = s.hold.map_or_else(String::new, |h| format!(", held rates {h:.1} %"));
+                format!("{} {}{was}{hold}", s.signal, percent(s.fit_percent))
+            })
+            .collect();
+        let ahead = figures.horizon.map_or_else(String::new, |h| format!(" {} s ahead", number(h)));
+        let end = if figures.status == sim::Status::Completed || figures.horizon.is_some() {
+            String::new()
+        } else {
+            format!("   up to {} s: {}", number(figures.valid_until), figures.status)
+        };
+        let _ = writeln!(text, "{what:9} {}{ahead}: {}{end}", figures.record, cells.join("; "));
+    }
+}
+
+/// A figure of every signal of every record.
+pub(super) fn each(list: &[RecordFigures], of: &dyn Fn(&SignalFigure) -> Value) -> Map<String, Value> {
+    list.iter().map(|r| (r.record.clone(), Value::Object(r.signals.iter().map(|s| (s.signal.clone(), of(s))).collect()))).collect()
+}
+
+/// Seconds ahead of the figures of each record; null for free runs.
+pub(super) fn horizons(lists: [&[RecordFigures]; 2]) -> Map<String, Value> {
+    lists.into_iter().flatten().map(|r| (r.record.clone(), json!(r.horizon))).collect()
+}
+
 fn document(rig: &str, fit: &Fit) -> Value {
-    let each = |list: &[RecordFigures], f: &dyn Fn(&ident::fit::SignalFigure) -> Value| {
-        list.iter()
-            .map(|r| (r.record.clone(), Value::Object(r.signals.iter().map(|s| (s.signal.clone(), f(s))).collect())))
-            .collect::<Map<_, _>>()
-    };
-    let both = |f: &dyn Fn(&ident::fit::SignalFigure) -> Value| json!({"train": each(&fit.train, f), "test": each(&fit.test, f)});
+    let both = |f: &dyn Fn(&SignalFigure) -> Value| json!({"train": each(&fit.train, f), "test": each(&fit.test, f)});
     let told = &fit.identifiable;
     json!({
         "rig": rig,
@@ -116,7 +148,10 @@ fn document(rig: &str, fit: &Fit) -> Value {
         "status": fit.ending.id(),
         "intervals": fit.intervals,
         "fit_percent": both(&|s| json!(s.fit_percent)),
+        "fit_percent_before": json!({"train": each(&fit.before, &|s| json!(s.fit_percent)), "test": each(&fit.before_test, &|s| json!(s.fit_percent))}),
         "rmse": both(&|s| json!(s.rmse)),
+        "horizon": horizons([&fit.train, &fit.test]),
+        "hold": both(&|s| json!(s.hold)),
         "identifiable": {
             "rank": told.rank, "of": told.of, "dead": told.dead,
             "trade_offs": told.trade_offs.iter().map(|t| json!({"name": t.name, "members": t.members.iter().cloned().collect::<std::collections::BTreeMap<_, _>>(), "relative_sd": t.relative_sd})).collect::<Vec<_>>(),

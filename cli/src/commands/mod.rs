@@ -6,6 +6,7 @@ mod compare;
 mod demo;
 mod diagnose;
 mod diff;
+mod equation_error;
 mod eval;
 mod excite;
 mod export;

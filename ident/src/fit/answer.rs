@@ -52,9 +52,11 @@ pub struct SignalFigure {
     pub fit_percent: Option<f64>,
     /// Root-mean-square error (SI).
     pub rmse: Option<f64>,
+    /// Fit of holding the rates constant, beside a prediction.
+    pub hold: Option<f64>,
 }
 
-/// How a free run follows a record.
+/// How a free run, or a prediction over a horizon, follows a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordFigures {
     /// Record.
@@ -65,6 +67,8 @@ pub struct RecordFigures {
     pub status: Status,
     /// Time up to which figures are taken [s].
     pub valid_until: f64,
+    /// Seconds ahead of a prediction; `None` for a free run.
+    pub horizon: Option<f64>,
 }
 
 /// The answer of a fit.
@@ -102,6 +106,10 @@ pub struct Fit {
     pub train: Vec<RecordFigures>,
     /// Free runs over the test records, from the state that their first 0.2 s give; parameters of the day as they started.
     pub test: Vec<RecordFigures>,
+    /// The same for the starting values of the parameters, each record from the state that its first 0.2 s give.
+    pub before: Vec<RecordFigures>,
+    /// The same over the test records.
+    pub before_test: Vec<RecordFigures>,
     /// Where the fit started: `nominal`, `equation error`.
     pub started_from: String,
     /// Integration steps of each training record.

@@ -5,7 +5,7 @@ use super::error::FitError;
 use super::initial::{InitialEstimate, estimate, usual};
 use super::objective::{OutputError, Piece, Unknown, UnknownKind};
 use super::options::{FitOptions, InitialStates, Known, Loss, Weights};
-use super::pattern;
+use super::pattern::{self, Run};
 use super::specification::ParameterSpec;
 use crate::record::{Record, Start};
 use runtime::Model;
@@ -43,6 +43,9 @@ pub(crate) fn check(model: &dyn Model, specs: &[ParameterSpec], records: &[Recor
     if let Some(length) = options.shooting {
         positive("the length of a piece", length)?;
     }
+    if let Some(horizon) = options.horizon {
+        positive("the horizon", horizon)?;
+    }
     if let Loss::Huber(k) | Loss::Cauchy(k) = options.loss {
         positive("the width of the robust loss", k)?;
     }
@@ -64,6 +67,49 @@ pub(crate) fn beginning(model: &dyn Model, p: &[f64], data: &Data, options: &Fit
     estimate(model, p, data, (0, data.times.len() - 1), data.start, states(data, options))
 }
 
+/// Most pieces of a record on which steps are tried.
+const TRIED: usize = 8;
+
+/// Runs on which the steps of a record are tried: the whole record, or some of its pieces from the states measured there.
+fn runs(model: &dyn Model, p: &[f64], data: &Data, options: &FitOptions) -> Vec<Run> {
+    let cuts = cuts(data, options);
+    let pieces: Vec<(usize, usize)> = cuts.windows(2).map(|w| (w[0], w[1])).collect();
+    let stride = pieces.len().div_ceil(TRIED).max(1);
+    pieces
+        .iter()
+        .step_by(stride)
+        .map(|&(from, to)| {
+            let x0 = match from {
+                0 => beginning(model, p, data, options).x,
+                _ => estimate(model, p, data, (from, to), Start::Free, InitialStates { coordinates: Known::Free, rates: Known::Free }).x,
+            };
+            Run { from, to, x0 }
+        })
+        .collect()
+}
+
+/// Integration steps to begin with: the cheapest of those that the first starts ask for. Bad starting values can make a
+/// run wild, and steps that follow it through are of no use; [`refine`] mends steps that were too coarse.
+pub(crate) fn first_patterns(
+    model: &dyn Model,
+    starts: &[(String, Vec<Vec<f64>>)],
+    data: &[Data],
+    options: &FitOptions,
+) -> Result<Vec<Pattern>, FitError> {
+    let mut cheapest: Vec<Pattern> = Vec::new();
+    for (_, p) in starts.iter().take(2) {
+        let found = patterns(model, p, data, options)?;
+        if cheapest.is_empty() {
+            cheapest = found;
+        } else {
+            for (kept, found) in cheapest.iter_mut().zip(found).filter(|(kept, found)| pattern::cheaper(found, kept)) {
+                *kept = found;
+            }
+        }
+    }
+    Ok(cheapest)
+}
+
 /// Integration steps for each record.
 pub(crate) fn patterns(model: &dyn Model, p: &[Vec<f64>], data: &[Data], options: &FitOptions) -> Result<Vec<Pattern>, FitError> {
     data.iter()
@@ -71,8 +117,8 @@ pub(crate) fn patterns(model: &dyn Model, p: &[Vec<f64>], data: &[Data], options
         .map(|(data, p)| match options.pattern {
             Some(pattern) => Ok(pattern),
             None => {
-                let x0 = beginning(model, p, data, options).x;
-                pattern::choose(model, p, &x0, data, &pattern::allowed(model, p, data, options.tolerance))
+                let runs = runs(model, p, data, options);
+                pattern::choose(model, p, &runs, data, &pattern::allowed(model, p, data, options.tolerance))
             }
         })
         .collect()
@@ -98,8 +144,9 @@ pub(crate) fn refine(
             continue;
         };
         let allowed = pattern::allowed(model, &p, data, options.tolerance);
-        if !pattern::suffices(model, &p, &x0, data, &allowed, used[r])? {
-            let better = pattern::choose(model, &p, &x0, data, &allowed)?;
+        let whole = [Run { from: 0, to: data.times.len() - 1, x0 }];
+        if !pattern::suffices(model, &p, &whole, data, &allowed, used[r])? {
+            let better = pattern::choose(model, &p, &whole, data, &allowed)?;
             // no way back to coarser steps, so that this ends
             if better.step < used[r].step || better.method != used[r].method {
                 finer[r] = Pattern { step: better.step.min(used[r].step), ..better };
@@ -173,7 +220,8 @@ pub(crate) fn assemble<'a>(
             let times = &data.times[range.0..=range.1];
             let forward = Forward::new(model, &data.signals, times, &data.outputs, &parameters, at_start.len(), patterns[r])?;
             let continued = k + 2 < cuts.len();
-            pieces.push(Piece { data, record: r, range, forward, columns: local, x0: x, continued, weights: weights.clone(), slopes });
+            let (joined, weights) = (continued && options.joined, weights.clone());
+            pieces.push(Piece { data, record: r, range, forward, columns: local, x0: x, continued, joined, weights, slopes });
         }
     }
     let samples = data.iter().map(|d| d.times.len() * d.outputs.len()).sum();

@@ -68,6 +68,11 @@ pub fn equation_error(
     hold: Hold,
 ) -> Result<EquationErrorFit, FitError> {
     check(model, specs, records, &FitOptions::default())?;
+    if let Preparation::Filtered { cutoff, .. } = preparation
+        && !(cutoff > 0.0 && cutoff.is_finite())
+    {
+        return Err(FitError::NotPositive { what: "the cut-off".to_owned(), value: cutoff });
+    }
     let data = records.iter().map(|r| Data::new(r, model, hold)).collect::<Result<Vec<_>, _>>()?;
     fit(model, specs, &data, preparation)
 }
@@ -184,7 +189,13 @@ enum Functional {
     /// (first sample, weights) of each equation.
     Bumps(Vec<(usize, Vec<f64>)>),
     /// Filtered, then every n-th.
-    Filter { filter: Option<Butterworth>, every: usize, extension: usize },
+    Filter {
+        filter: Option<Butterworth>,
+        every: usize,
+        extension: usize,
+        /// Samples at both ends, where the smoothing had the mirrored record on one side, that make no equation.
+        ends: usize,
+    },
 }
 
 impl Samples {
@@ -209,6 +220,12 @@ impl Samples {
                         why: format!("{}: filtering needs a constant rate, the step after {} s is another", data.source, t[k]),
                     });
                 }
+                if cutoff * period >= 0.5 {
+                    let half = 0.5 / period;
+                    return Err(FitError::EquationError {
+                        why: format!("{}: a cut-off of {cutoff} Hz is not below half of the sampling rate, {half:.6} Hz", data.source),
+                    });
+                }
                 let smooth = Butterworth::new(order, cutoff * period);
                 let extension = (3.0 / (cutoff * period)).ceil() as usize;
                 q = q.iter().map(|q| smooth.zero_phase(q, extension)).collect();
@@ -216,7 +233,13 @@ impl Samples {
                 let a: Vec<Vec<f64>> = v.iter().map(|v| differences(v, period)).collect();
                 let every = decimate.max(1);
                 let filter = (every > 1).then(|| Butterworth::new(4, 0.4 / every as f64));
-                functional = Functional::Filter { filter, every, extension: 10 * every };
+                let ends = (5.0 / (cutoff * period)).ceil() as usize;
+                if count <= 2 * ends + 4 * every {
+                    return Err(FitError::EquationError {
+                        why: format!("{}: {count} samples are too few for a cut-off of {cutoff} Hz; choose a higher one", data.source),
+                    });
+                }
+                functional = Functional::Filter { filter, every, extension: 10 * every, ends };
                 let kept: Vec<Vec<f64>> = a.iter().map(|a| functional.filtered(a)).collect();
                 left = (0..kept.first().map_or(0, Vec::len)).flat_map(|k| kept.iter().map(move |a| a[k])).collect();
             }
@@ -242,8 +265,9 @@ impl Functional {
     fn filtered(&self, series: &[f64]) -> Vec<f64> {
         match self {
             Self::Bumps(bumps) => bumps.iter().map(|(first, w)| w.iter().zip(&series[*first..]).map(|(w, s)| w * s).sum()).collect(),
-            Self::Filter { filter, every, extension } => {
-                let smooth = filter.as_ref().map_or_else(|| series.to_vec(), |f| f.zero_phase(series, *extension));
+            Self::Filter { filter, every, extension, ends } => {
+                let inside = &series[*ends..series.len() - ends];
+                let smooth = filter.as_ref().map_or_else(|| inside.to_vec(), |f| f.zero_phase(inside, *extension));
                 smooth.into_iter().step_by(*every).collect()
             }
         }

@@ -122,7 +122,7 @@ impl fmt::Display for FitError {
                 f,
                 "{file}: the model cannot be run over this record from the starting values: {status}; start nearer, or in pieces with multiple shooting"
             ),
-            Self::EquationError { why } => write!(f, "starting values from equation error are not to be had: {why}"),
+            Self::EquationError { why } => write!(f, "there are no estimates from equation error: {why}"),
         }
     }
 }

@@ -118,6 +118,14 @@ pub struct Minimum {
     pub evaluations: usize,
 }
 
+impl Minimum {
+    /// Cost; infinite where the search could not begin.
+    #[must_use]
+    pub fn cost(&self) -> f64 {
+        self.at.as_ref().map_or(f64::INFINITY, |at| at.cost)
+    }
+}
+
 /// A method of minimization.
 pub trait Minimizer {
     /// Searches from `start`, which is moved into the bounds first.

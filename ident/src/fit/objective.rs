@@ -46,6 +46,8 @@ pub(crate) struct Piece<'a> {
     pub x0: Vec<f64>,
     /// Continued by the next piece.
     pub continued: bool,
+    /// Its end is held to the beginning of the next piece.
+    pub joined: bool,
     /// 1 / scale of each measured output.
     pub weights: Vec<f64>,
     /// Priors of the rates at its beginning.
@@ -304,7 +306,7 @@ impl Objective for OutputError<'_> {
                 sums.add(Loss::Squares, line.error / slope.sd, 1.0 / slope.sd, &line.by);
             }
             sums.spread(&self.pieces[index].columns, &mut total);
-            if self.pieces[index].continued {
+            if self.pieces[index].joined {
                 self.continuity(theta, index, &mut total)?;
             }
         }

@@ -98,6 +98,11 @@ pub struct FitOptions {
     pub starting: Starting,
     /// Multiple shooting: length of the pieces [s].
     pub shooting: Option<f64>,
+    /// Whether pieces of multiple shooting are held together at their ends. Where they are not, each is a short run of its
+    /// own from a fitted state: the way for rigs whose free run is unstable or driven by what the model does not know.
+    pub joined: bool,
+    /// Judge by predictions over this many seconds [s] instead of free runs; `None`: where the free run says nothing.
+    pub horizon: Option<f64>,
     /// Integration steps; `None` chooses them so that the outputs' error stays below `tolerance`.
     pub pattern: Option<Pattern>,
     /// Allowed integration error of an output, in parts of its encoder's quantum, or of a 1e-4 part of its spread where it
@@ -116,6 +121,8 @@ impl Default for FitOptions {
             hold: Hold::default(),
             starting: Starting::default(),
             shooting: None,
+            joined: true,
+            horizon: None,
             pattern: None,
             tolerance: 1e-3,
             limits: Limits::default(),

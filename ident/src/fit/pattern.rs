@@ -13,6 +13,11 @@ fn stages(method: FixedMethod) -> usize {
     }
 }
 
+/// Pattern `a` needs fewer evaluations of the model than `b`.
+pub(crate) fn cheaper(a: &Pattern, b: &Pattern) -> bool {
+    stages(a.method) as f64 / a.step < stages(b.method) as f64 / b.step
+}
+
 /// Allowed error of each measured output: `tolerance` parts of its quantum, or of 1e-4 of its spread.
 pub(crate) fn allowed(model: &dyn Model, p: &[f64], data: &Data, tolerance: f64) -> Vec<f64> {
     data.outputs
@@ -26,21 +31,28 @@ pub(crate) fn allowed(model: &dyn Model, p: &[f64], data: &Data, tolerance: f64)
         .collect()
 }
 
+/// A stretch of a record, from sample `from` to sample `to`, and the state at its beginning.
+pub(crate) struct Run {
+    pub from: usize,
+    pub to: usize,
+    pub x0: Vec<f64>,
+}
+
 /// The pattern with the fewest evaluations of the model whose outputs agree with those of half its step to within
 /// `allowed`. Where the run does not come to its end the agreement is judged up to there.
-pub(crate) fn choose(model: &dyn Model, p: &[f64], x0: &[f64], data: &Data, allowed: &[f64]) -> Result<Pattern, FitError> {
+pub(crate) fn choose(model: &dyn Model, p: &[f64], runs: &[Run], data: &Data, allowed: &[f64]) -> Result<Pattern, FitError> {
     let period = data.times[data.times.len() - 1] - data.times[0];
     let period = period / (data.times.len() - 1) as f64;
     let mut best: Option<(usize, Pattern)> = None;
     for method in [FixedMethod::DormandPrince, FixedMethod::Classical] {
         let mut step = 32.0 * period;
-        let mut coarse = outputs(model, p, x0, data, Pattern { method, step })?;
+        let mut coarse = outputs(model, p, runs, data, Pattern { method, step })?;
         for _ in 0..14 {
             let work = coarse.steps * stages(method);
             if best.is_some_and(|(least, _)| work >= least) {
                 break;
             }
-            let fine = outputs(model, p, x0, data, Pattern { method, step: 0.5 * step })?;
+            let fine = outputs(model, p, runs, data, Pattern { method, step: 0.5 * step })?;
             if agree(&coarse, &fine, allowed) {
                 best = Some((work, Pattern { method, step }));
                 break;
@@ -54,9 +66,16 @@ pub(crate) fn choose(model: &dyn Model, p: &[f64], x0: &[f64], data: &Data, allo
 }
 
 /// The outputs of a pattern agree with those of half its step.
-pub(crate) fn suffices(model: &dyn Model, p: &[f64], x0: &[f64], data: &Data, allowed: &[f64], pattern: Pattern) -> Result<bool, FitError> {
-    let coarse = outputs(model, p, x0, data, pattern)?;
-    let fine = outputs(model, p, x0, data, Pattern { step: 0.5 * pattern.step, ..pattern })?;
+pub(crate) fn suffices(
+    model: &dyn Model,
+    p: &[f64],
+    runs: &[Run],
+    data: &Data,
+    allowed: &[f64],
+    pattern: Pattern,
+) -> Result<bool, FitError> {
+    let coarse = outputs(model, p, runs, data, pattern)?;
+    let fine = outputs(model, p, runs, data, Pattern { step: 0.5 * pattern.step, ..pattern })?;
     Ok(agree(&coarse, &fine, allowed))
 }
 
@@ -66,11 +85,19 @@ struct Outputs {
     steps: usize,
 }
 
-fn outputs(model: &dyn Model, p: &[f64], x0: &[f64], data: &Data, pattern: Pattern) -> Result<Outputs, FitError> {
-    let mut forward = Forward::new(model, &data.signals, &data.times, &data.outputs, &[], 0, pattern)?;
-    let mut values: Vec<Vec<f64>> = data.outputs.iter().map(|_| Vec::with_capacity(data.times.len())).collect();
-    let status = forward.run(p, x0, &[], &mut |_, i, y, _| values[i].push(y))?;
-    Ok(Outputs { values, status, steps: forward.steps() })
+fn outputs(model: &dyn Model, p: &[f64], runs: &[Run], data: &Data, pattern: Pattern) -> Result<Outputs, FitError> {
+    let mut values: Vec<Vec<f64>> = data.outputs.iter().map(|_| Vec::new()).collect();
+    let (mut status, mut steps) = (Status::Completed, 0);
+    for run in runs {
+        let mut forward = Forward::new(model, &data.signals, &data.times[run.from..=run.to], &data.outputs, &[], 0, pattern)?;
+        let ended = forward.run(p, &run.x0, &[], &mut |_, i, y, _| values[i].push(y))?;
+        steps += forward.steps();
+        if ended != Status::Completed {
+            status = ended;
+            break;
+        }
+    }
+    Ok(Outputs { values, status, steps })
 }
 
 fn agree(a: &Outputs, b: &Outputs, allowed: &[f64]) -> bool {

@@ -15,7 +15,7 @@ use crate::compare::{CompareError, CompareOptions, compare, fit_percent, rmse};
 use crate::record::Record;
 use nalgebra::DMatrix;
 use runtime::Model;
-use sim::Forward;
+use sim::{Forward, Hold, Status};
 
 /// Lags of the whiteness test.
 const LAGS: usize = 20;
@@ -87,11 +87,13 @@ pub(crate) fn answer(
         ending: found.ending,
         intervals: format!("{}; errors hang together over {:.0} samples", covariance::SOURCE, cov.memory.max(1.0)),
         memory: cov.memory,
-        identifiable: told(specs, data, problem, &at, &cov, &wanted),
+        identifiable: told(specs, data, problem, theta, &at, &cov, &wanted),
         whiteness: white,
         train: train(model, data, problem, theta, &p_of_record)?,
         p_of_record,
         test: Vec::new(),
+        before: Vec::new(),
+        before_test: Vec::new(),
         started_from: String::new(),
         patterns: Vec::new(),
         evaluations: 0,
@@ -163,10 +165,12 @@ fn slope_of(model: &dyn Model, p: &[f64], x: &[f64], state: usize, piece: &Piece
 }
 
 /// What the records tell of the parameters, those of the day under the name of their record.
+#[allow(clippy::too_many_arguments)]
 fn told(
     specs: &[ParameterSpec],
     data: &[Data],
     problem: &OutputError<'_>,
+    theta: &[f64],
     at: &Evaluation,
     cov: &Covariance,
     wanted: &[usize],
@@ -186,7 +190,8 @@ fn told(
                 Some(r) if data.len() > 1 => format!("{} ({})", spec.name, data[r].source),
                 _ => spec.name.clone(),
             });
-            sizes.push(typical(spec));
+            // a start far below the value would make what is told well look dead
+            sizes.push(typical(spec).max(theta[i].abs()));
         }
     }
     identifiable(&names, &sizes, &normal, cov.inflation)
@@ -216,33 +221,91 @@ fn train(
                 signal: model.names().output(output).to_owned(),
                 fit_percent: fit_percent(&data.measured[i], &simulated[i]),
                 rmse: rmse(&data.measured[i], &simulated[i]),
+                hold: None,
             })
             .collect();
         let valid_until = status.time().unwrap_or(data.times[data.times.len() - 1]);
-        out.push(RecordFigures { record: data.source.clone(), signals, status, valid_until });
+        out.push(RecordFigures { record: data.source.clone(), signals, status, valid_until, horizon: None });
     }
     Ok(out)
 }
 
-/// Free runs over records that were not used, from the state that their first samples give.
-pub(crate) fn tests(model: &dyn Model, p: &[f64], records: &[Record], options: &FitOptions) -> Result<Vec<RecordFigures>, FitError> {
-    let choices = CompareOptions { hold: options.hold, ..CompareOptions::default() };
-    records
-        .iter()
-        .map(|record| {
-            let c = compare(model, p, record, &choices).map_err(|e| match e {
-                CompareError::Match(e) => FitError::Match(e),
-                CompareError::Simulation(e) => FitError::Simulation(e),
-            })?;
-            let signals = c.signals.into_iter();
-            Ok(RecordFigures {
-                record: record.source.clone(),
-                signals: signals.map(|s| SignalFigure { signal: s.name, fit_percent: s.fit_percent, rmse: s.rmse }).collect(),
-                status: c.status,
-                valid_until: c.valid_until,
-            })
-        })
-        .collect()
+/// How far ahead a model is judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Ahead {
+    /// A free run, but a prediction where that neither follows the record nor could.
+    Sensible,
+    /// A free run.
+    Free,
+    /// A prediction over so many seconds.
+    Seconds(f64),
+}
+
+/// Figures of parameters over records, each from the state that its first samples give: free runs, or predictions over
+/// `horizon` seconds, by request or where the free run says nothing.
+///
+/// # Errors
+/// [`FitError::Match`], [`FitError::Simulation`].
+pub fn figures(model: &dyn Model, p: &[f64], records: &[Record], hold: Hold, horizon: Option<f64>) -> Result<Vec<RecordFigures>, FitError> {
+    let ahead = horizon.map_or(Ahead::Sensible, Ahead::Seconds);
+    records.iter().map(|record| figure(model, p, record, hold, ahead)).collect()
+}
+
+/// As [`figures`], for one record.
+fn figure(model: &dyn Model, p: &[f64], record: &Record, hold: Hold, ahead: Ahead) -> Result<RecordFigures, FitError> {
+    let horizon = if let Ahead::Seconds(h) = ahead { Some(h) } else { None };
+    let choices = CompareOptions { hold, horizon, ..CompareOptions::default() };
+    let c = compare(model, p, record, &choices).map_err(|e| match e {
+        CompareError::Match(e) => FitError::Match(e),
+        CompareError::Simulation(e) => FitError::Simulation(e),
+    })?;
+    let run = c.signals.iter().map(|s| SignalFigure { signal: s.name.clone(), fit_percent: s.fit_percent, rmse: s.rmse, hold: None });
+    let run: Vec<SignalFigure> = run.collect();
+    let free = ahead == Ahead::Free || ahead == Ahead::Sensible && c.status == Status::Completed && follows(&run);
+    let (signals, horizon) = if free {
+        (run, None)
+    } else {
+        let figures = c.figures().into_iter();
+        (figures.map(|s| SignalFigure { signal: s.name, fit_percent: s.fit_percent, rmse: s.rmse, hold: s.hold }).collect(), c.horizon())
+    };
+    Ok(RecordFigures { record: record.source.clone(), signals, horizon, status: c.status, valid_until: c.valid_until })
+}
+
+/// A run that is nearer to every signal than its mean says something, however sensitive it is.
+fn follows(signals: &[SignalFigure]) -> bool {
+    signals.iter().all(|s| s.fit_percent.is_none_or(|f| f > 0.0))
+}
+
+/// Figures over training and test records, after and before the fit. A training record whose free run says nothing is
+/// judged by predictions, too; before and after are judged in the same way.
+pub(crate) fn judge(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    fit: &mut Fit,
+    (records, tests): (&[Record], &[Record]),
+    options: &FitOptions,
+) -> Result<(), FitError> {
+    let hold = options.hold;
+    let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
+    let ahead = options.horizon.map_or(Ahead::Sensible, Ahead::Seconds);
+    let same = |after: &RecordFigures| after.horizon.map_or(Ahead::Free, Ahead::Seconds);
+    for (r, record) in records.iter().enumerate() {
+        let run = fit.train.get(r).filter(|t| ahead == Ahead::Sensible && t.status == Status::Completed && follows(&t.signals));
+        if run.is_none() {
+            let after = figure(model, &fit.p_of_record[r], record, hold, ahead)?;
+            if after.horizon.is_some() && r < fit.train.len() {
+                fit.train[r] = after;
+            }
+        }
+        let way = fit.train.get(r).map_or(ahead, same);
+        fit.before.push(figure(model, &nominal, record, hold, way)?);
+    }
+    for record in tests {
+        let after = figure(model, &fit.p, record, hold, ahead)?;
+        fit.before_test.push(figure(model, &nominal, record, hold, same(&after))?);
+        fit.test.push(after);
+    }
+    Ok(())
 }
 
 fn describe(options: &FitOptions) -> String {
@@ -259,6 +322,10 @@ fn describe(options: &FitOptions) -> String {
         Loss::Huber(k) => format!("half the sum of Huber's loss (k = {k})"),
         Loss::Cauchy(k) => format!("half the sum of Cauchy's loss (k = {k})"),
     };
-    let pieces = options.shooting.map_or_else(String::new, |s| format!(", in pieces of {s} s (multiple shooting)"));
+    let pieces = match options.shooting {
+        None => String::new(),
+        Some(s) if options.joined => format!(", in pieces of {s} s (multiple shooting)"),
+        Some(s) => format!(", in windows of {s} s, each from a fitted state"),
+    };
     format!("{loss} of {over}, priors added{pieces}")
 }
