@@ -3,7 +3,7 @@
 use crate::answer::{Figure, Figures};
 use crate::quality::averaged;
 use ident::compare::{CompareOptions, compare};
-use ident::innovations::Noise;
+use ident::innovations::{Noise, Track, wander};
 use ident::record::Record;
 use runtime::Model;
 use sim::Hold;
@@ -59,17 +59,28 @@ pub fn figures(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Reco
     }
 }
 
-/// 1 - (after^2 - floor^2)/(before^2 - floor^2) of each signal over all test records; the floor is the noise of its sensor.
+/// A gap of this part of the floor's square is none.
+const NONE: f64 = 1.2;
+
+/// 1 - (after^2 - floor^2)/(before^2 - floor^2) of each signal over all test records. The floor is the noise of its sensor and
+/// what the random forces of the last model do to such a run: no model can be nearer. Signals whose gap is no larger are left out.
 #[must_use]
-pub fn shrink(model: &dyn Model, p: &[f64], noise: &Noise, before: &Figures, after: &Figures) -> Vec<(String, f64)> {
+pub fn shrink(model: &dyn Model, p: &[f64], noise: &Noise, held: &[Track], before: &Figures, after: &Figures) -> Vec<(String, f64)> {
     let names = model.names();
-    let floor = |signal: &str| {
-        let output = (0..model.dimensions().outputs).find(|&i| names.output(i) == signal);
-        output.map_or(0.0, |i| noise.output_sd[i].max(model.output_path(i, p).quantum / 12_f64.sqrt()))
-    };
     let mut signals: Vec<&str> = before.test.iter().map(|f| f.signal.as_str()).collect();
     signals.sort_unstable();
     signals.dedup();
+    let horizon = before.test.iter().find_map(|f| f.horizon);
+    let mut wandering = vec![0.0; model.dimensions().outputs];
+    for track in held {
+        if let Ok(Some(each)) = wander(model, p, track, noise, horizon) {
+            wandering.iter_mut().zip(&each).for_each(|(w, e)| *w += e / held.len() as f64);
+        }
+    }
+    let floor = |signal: &str| {
+        let output = (0..model.dimensions().outputs).find(|&i| names.output(i) == signal);
+        output.map_or(0.0, |i| noise.output_sd[i].powi(2).max(model.output_path(i, p).quantum.powi(2) / 12.0) + wandering[i])
+    };
     signals
         .into_iter()
         .filter_map(|signal| {
@@ -77,9 +88,8 @@ pub fn shrink(model: &dyn Model, p: &[f64], noise: &Noise, before: &Figures, aft
                 let own: Vec<f64> = figures.test.iter().filter(|f| f.signal == signal).map(|f| f.rmse).collect::<Option<_>>()?;
                 Some(own.iter().map(|e| e * e).sum::<f64>() / own.len().max(1) as f64)
             };
-            let (b, a, f) = (square(before)?, square(after)?, floor(signal).powi(2));
-            // a gap of the size of the sensor's noise is none
-            (b > 2.0 * f).then(|| (signal.to_owned(), 1.0 - (a - f).max(0.0) / (b - f)))
+            let (b, a, f) = (square(before)?, square(after)?, floor(signal));
+            (b > NONE * f).then(|| (signal.to_owned(), 1.0 - (a - f).max(0.0) / (b - f)))
         })
         .collect()
 }

@@ -3,8 +3,10 @@
 use crate::model::Prepared;
 use ident::fit::FitError;
 use ident::innovations::{Noise, Track, likelihood};
+use ident::preflight::{Change, FaultKind, Range, inspect};
 use ident::record::Record;
 use runtime::Model;
+use sim::Hold;
 
 /// Fewest samples of a record.
 const FEWEST: usize = 200;
@@ -48,6 +50,20 @@ pub fn look(prepared: &Prepared, p: &[f64], train: &mut [Track], test: &mut [Tra
         }
     }
     faults
+}
+
+/// What was wired or logged wrongly: flipped signs, swapped channels, degrees for radians, inputs of another run. What an effect of the
+/// catalogue can be as well (a zero that is off) is left to it.
+///
+/// # Errors
+/// Where a record does not fit the model.
+pub fn mistaken(prepared: &Prepared, ranges: &[Range], records: &[Record], hold: Hold) -> Result<Vec<String>, FitError> {
+    let found = inspect(&prepared.model, &prepared.specs, ranges, records, hold).map_err(FitError::from)?;
+    let mistake = |kind: &FaultKind| match kind {
+        FaultKind::Contradicts(suspect) => !matches!(suspect.change, Change::Offset(..) | Change::SignOfParameter(_)),
+        _ => false,
+    };
+    Ok(found.faults.iter().filter(|f| mistake(&f.kind)).map(|f| format!("{}: {}; {}", f.record, f.sentence(), f.mend())).collect())
 }
 
 /// Log-likelihood that the inputs of a record must be worth, for each parameter that could have been bent to them.

@@ -295,12 +295,13 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
         b += product;
     }
     let mut statistic = test.statistic(&b);
-    let estimate = &test.inverse * &b;
+    // the jacobian is that of the innovations: the step that removes them is down its slope
+    let estimate = -(&test.inverse * &b);
     // the record's own variance of the scores: of what is left with the effect, summed over the outputs of one sample
     let mut moments: Vec<(usize, usize, DVector<f64>)> = Vec::new();
     for s in 0..z.len() {
         let r = row(s);
-        let left = z[s] - r.iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>();
+        let left = z[s] + r.iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>();
         let product = DVector::from_fn(k, |i, _| r[i] * left);
         match moments.last_mut() {
             Some((at, of, sum)) if *at == time[s] && *of == record[s] => *sum += &product,
@@ -326,7 +327,7 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
     let by_record = (0..records)
         .map(|r| {
             let inverse = normal_of[r].clone().pseudo_inverse(1e-12).unwrap_or_else(|_| DMatrix::zeros(k, k));
-            let value = &inverse * &b_of[r];
+            let value = -(&inverse * &b_of[r]);
             (0..k).map(|i| (value[i], if inverse[(i, i)] > 0.0 { inverse[(i, i)].sqrt() } else { f64::INFINITY })).collect()
         })
         .collect();

@@ -11,7 +11,7 @@ use crate::figures::{View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Included, Prepared, prepare};
 use crate::patch::{Base, PatchError, Written, check, compose, digits};
-use crate::quality::{averaged, look, strangers, stride};
+use crate::quality::{averaged, look, mistaken, strangers, stride};
 use crate::screen::{SAME, ScreenOptions, Score, Seen, UNIQUE, cosine, screen};
 use crate::shapes::unnamed;
 use ident::fit::{FitError, ParameterSpec};
@@ -174,6 +174,15 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
         return Ok(answer);
     }
 
+    let ranges: Vec<_> = base.rig.coordinates.iter().filter_map(|c| Some((c.name.clone(), c.range?))).collect();
+    let all: Vec<Record> = train.iter().chain(test).map(|r| averaged(r, block, &wrapped)).collect();
+    answer.faults = mistaken(&plain, &ranges, &all, hold)?;
+    if !answer.faults.is_empty() {
+        answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
+        answer.verdict = Verdict::BadData;
+        answer.seconds = began.elapsed().as_secs_f64();
+        return Ok(answer);
+    }
     tell("fitting the base ..");
     let fitted = fit_base(&plain, train, &mut tracks, options)?;
     answer.faults = strangers(&plain, &fitted.found.p, &fitted.found.noise, &tracks)?;
@@ -231,7 +240,8 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
                 }
                 Some(why) => {
                     tell(&format!("  {}: {why}", left[tried.index].title()));
-                    contradicted = true;
+                    // five families in a hundred speak where nothing is missing
+                    contradicted |= round.scores[tried.index].p_family < 0.2 * options.family;
                     rejected.push((left[tried.index].title(), why));
                 }
             }
@@ -268,7 +278,7 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
         }
     }
     finish(base, &mut answer, &current, &base_state_names, &rejected, left_over, contradicted, train)?;
-    answer.gap_shrink = shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &base_figures, &answer.after);
+    answer.gap_shrink = shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
 }

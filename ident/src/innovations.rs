@@ -22,6 +22,6 @@ mod smooth;
 mod transition;
 
 pub use estimate::{Estimated, EstimateOptions, Unknown, estimate, likelihood};
-pub use filter::{Column, Gains, Pass, Shape, Track, pass};
+pub use filter::{Column, Gains, Pass, Shape, Track, pass, wander};
 pub use noise::{Noise, likeliest};
 pub use smooth::{Smoothed, smooth};

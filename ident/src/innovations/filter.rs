@@ -186,6 +186,42 @@ pub fn pass(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise, columns:
     run(model, p, track, noise, columns, &Filtering::Riccati, &mut |_| {})
 }
 
+/// Mean variance of each output (SI squared) that random forces alone give a run of the model: a run of `length` seconds from the
+/// initial state, or a free run over the whole record. `None` where the model cannot be followed.
+///
+/// # Errors
+/// As [`pass`].
+pub fn wander(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise, length: Option<f64>) -> Result<Option<Vec<f64>>, FitError> {
+    let times = &track.data.times;
+    let end = length.map_or(times.len(), |h| times.partition_point(|t| *t <= times[0] + h)).clamp(2, times.len());
+    let mut blind = track.part(0, end, model, p);
+    blind.data.measured.iter_mut().for_each(|values| values.fill(f64::NAN));
+    blind.initial_sd.fill(0.0);
+    let d = model.dimensions();
+    let (n, order) = (d.states(), d.states() + noise.entries.len());
+    let (mut c, mut dhdp) = (vec![0.0; d.outputs * n], vec![0.0; d.outputs * d.parameters]);
+    let mut sum = vec![0.0; d.outputs];
+    let mut count = 0.0;
+    let mut at = 0;
+    let found = run(model, p, &blind, noise, &[], &Filtering::Riccati, &mut |seen| {
+        let (state, covariance) = seen.updated;
+        // a prediction is judged at its end, a run all along
+        if length.is_none() || at + 1 == end {
+            model.output_jacobian(blind.data.times[at], &state[..n], p, &mut c, &mut dhdp);
+            for (i, sum) in sum.iter_mut().enumerate() {
+                for a in 0..n {
+                    for b in 0..n {
+                        *sum += c[i * n + a] * covariance[a * order + b] * c[i * n + b];
+                    }
+                }
+            }
+            count += 1.0;
+        }
+        at += 1;
+    })?;
+    Ok(found.map(|_| sum.into_iter().map(|s| s / f64::max(count, 1.0)).collect()))
+}
+
 /// What an observer of a pass sees at each sample.
 pub(crate) struct Seen<'s> {
     /// Transition matrix from the sample before.
@@ -209,6 +245,12 @@ pub(crate) fn run(
     let d = model.dimensions();
     let (n, m) = (d.states(), columns.len());
     let order = n + noise.entries.len();
+    // a track may come from a model with other states
+    let mut own = None;
+    if track.initial.len() != n {
+        own.insert(track.clone()).begin(model, p);
+    }
+    let track = own.as_ref().unwrap_or(track);
     let segments = track.segments(model, p)?;
     let times = &track.data.times;
     let measured = shifted(model, p, &track.data);
