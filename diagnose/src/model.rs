@@ -16,6 +16,8 @@ pub struct Included {
     pub per_record: bool,
     /// Values to start from.
     pub start: Vec<f64>,
+    /// Parameters that stay at zero; none where empty.
+    pub held: Vec<bool>,
 }
 
 /// A derived rig.
@@ -86,9 +88,10 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
         for (j, p) in e.effect.parameters.iter().enumerate() {
             let Some(i) = index(&specs, &p.name) else { continue };
             let real = k < accepted;
-            specs[i].free = real;
+            let held = e.held.get(j).copied().unwrap_or(false);
+            specs[i].free = real && !held;
             specs[i].prior_sd = None;
-            specs[i].value = if real { e.start.get(j).copied().unwrap_or(0.0) } else { 0.0 };
+            specs[i].value = if real && !held { e.start.get(j).copied().unwrap_or(0.0) } else { 0.0 };
             specs[i].per_record = e.per_record;
             specs[i].bounds = p.positive.then_some((0.0, f64::INFINITY));
             own.push(i);

@@ -15,25 +15,22 @@ const OUTLIER: f64 = 8.0;
 /// A record with more outliers is not used.
 const MOST_OUTLIERS: f64 = 0.10;
 
-/// Faults of the records, in words; outliers are discarded on the way.
-pub fn look(prepared: &Prepared, p: &[f64], train: &mut [Track], test: &mut [Track]) -> Vec<String> {
+/// Faults of the records, in words. Outliers of the records as measured are discarded in the ones that are used.
+pub fn look(prepared: &Prepared, p: &[f64], train: &mut [Track], test: &mut [Track], used: (&mut [Track], &mut [Track])) -> Vec<String> {
     let mut faults = Vec::new();
     let names = prepared.model.names();
-    for track in train.iter_mut().chain(test) {
+    for (track, used) in train.iter_mut().chain(test).zip(used.0.iter_mut().chain(used.1)) {
         let file = track.source().to_owned();
         let samples = track.times().len();
         if samples < FEWEST {
             faults.push(format!("{file}: {samples} samples are too few to tell an effect from chance ({FEWEST} are needed)"));
             continue;
         }
-        let mut moving = 0;
         let mut bad: Vec<(usize, usize)> = Vec::new();
         for (output, values) in track.measured() {
             let quantum = prepared.model.output_path(output, p).quantum;
             let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
-            if hi - lo > 3.0 * quantum && hi > lo {
-                moving += 1;
-            } else {
+            if hi - lo <= 3.0 * quantum || hi <= lo {
                 faults.push(format!("{file}: {} does not move (a dead channel, or nothing happened)", names.output(output)));
             }
             let found = outliers(values, quantum);
@@ -42,14 +39,34 @@ pub fn look(prepared: &Prepared, p: &[f64], train: &mut [Track], test: &mut [Tra
             }
             bad.extend(found.into_iter().map(|k| (output, k)));
         }
-        if moving == 0 {
-            faults.push(format!("{file}: nothing moves"));
-        }
         for (output, k) in bad {
-            track.discard(output, k);
+            if used.times().len() == samples {
+                used.discard(output, k);
+            }
         }
     }
     faults
+}
+
+/// A record whose outliers lie on the line between their neighbours, for runs that compare with every sample.
+pub fn mended(prepared: &Prepared, p: &[f64], record: &Record) -> Record {
+    let mut out = record.clone();
+    let names = prepared.model.names();
+    for i in 0..prepared.model.dimensions().outputs {
+        let path = prepared.model.output_path(i, p);
+        let Some(column) = out.columns.iter_mut().find(|c| c.name == names.output(i)) else { continue };
+        // a turn of a wrapped angle is no outlier
+        if path.wrapped {
+            continue;
+        }
+        for k in outliers(&column.values, path.quantum) {
+            let near = [k - 2, k - 1, k + 1, k + 2].map(|i| column.values[i]);
+            let mut sorted = near;
+            sorted.sort_by(f64::total_cmp);
+            column.values[k] = 0.5 * (sorted[1] + sorted[2]);
+        }
+    }
+    out
 }
 
 /// What was wired or logged wrongly: flipped signs, swapped channels, degrees for radians, inputs of another run. What an effect of the

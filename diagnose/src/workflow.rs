@@ -11,7 +11,7 @@ use crate::figures::{View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Included, Prepared, prepare};
 use crate::patch::{Base, PatchError, Written, check, compose, digits};
-use crate::quality::{averaged, look, mistaken, strangers, stride};
+use crate::quality::{averaged, look, mended, mistaken, strangers, stride};
 use crate::screen::{SAME, ScreenOptions, Score, Seen, UNIQUE, cosine, screen};
 use crate::shapes::unnamed;
 use ident::fit::{FitError, ParameterSpec};
@@ -150,6 +150,9 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
     let mut answer = empty();
     let plain = prepare(base, asked, &[], 0)?;
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
+    let clean = |records: &[Record]| records.iter().map(|r| mended(&plain, &p0, r)).collect::<Vec<_>>();
+    let (raw, raw_test) = (train, test);
+    let (train, test) = (&clean(train)[..], &clean(test)[..]);
     let block = stride(&plain, &p0, train);
     let wrapped: Vec<String> = base.rig.outputs.iter().filter(|o| o.encoder.as_ref().is_some_and(|e| e.wrapped)).map(|o| o.name.clone()).collect();
     let hold = if block > 1 { Hold::First } else { options.hold };
@@ -157,12 +160,13 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
         records.iter().map(|r| Track::new(&averaged(r, block, &wrapped), &plain.model, &p0, hold)).collect::<Result<Vec<_>, _>>()
     };
     let (mut tracks, mut held) = (bind(train)?, bind(test)?);
+    let (mut first, mut second) = (bind(raw)?, bind(raw_test)?);
     if block > 1 {
         tell(&format!("  blocks of {block} samples are averaged"));
     }
 
     tell("looking at the records ..");
-    answer.faults = look(&plain, &p0, &mut tracks, &mut held);
+    answer.faults = look(&plain, &p0, &mut first, &mut second, (&mut tracks, &mut held));
     if !answer.faults.is_empty() {
         answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
         answer.verdict = Verdict::BadData;
@@ -232,7 +236,7 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
         let chosen = current.try_best(base, asked, &left, &round, &mut tracks, &held, options)?;
         let mut accepted = None;
         for tried in chosen {
-            let verdict = judge(&current.fitted, &current.prepared, &tried, train, test, &held, &base_figures, seen, options)?;
+            let verdict = judge(&current.fitted, &current.prepared, &tried, test, &held, &answer.after, seen, options)?;
             match verdict.refused {
                 None => {
                     accepted = Some((tried, verdict));
@@ -260,7 +264,8 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
             per_record: tried.per_record,
         };
         answer.findings.push(finding);
-        answer.after = verdict.figures;
+        answer.after = figures(&tried.prepared.model, &tried.fitted.found.p, &tried.fitted.mean(), train, &[], seen);
+        answer.after.test = verdict.figures.test;
         current = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
         contradicted = false;
         // what an earlier effect stood for may have been this one
@@ -343,7 +348,7 @@ impl State {
     fn screen(&self, base: &Base, asked: &[ParameterSpec], left: &[&Effect], tracks: &[Track], options: &Options<'_>) -> Result<Round, DiagnoseError> {
         // one model with all candidates at their null values, beside what was accepted
         let mut included = self.accepted.clone();
-        included.extend(left.iter().map(|e| Included { effect: (*e).clone(), per_record: false, start: vec![0.0; e.parameters.len()] }));
+        included.extend(left.iter().map(|e| Included { held: Vec::new(), effect: (*e).clone(), per_record: false, start: vec![0.0; e.parameters.len()] }));
         let accepted = self.accepted.len();
         let texts = prepare(base, asked, &included, accepted)?;
         let p: Vec<Vec<f64>> = self.fitted.found.p.iter().map(|p| carry(&self.prepared, p, &texts)).collect();
@@ -424,7 +429,7 @@ impl State {
                 start = vec![entry.map_or(0.0, |k| level[k])];
             }
             let mut included = self.accepted.clone();
-            included.push(Included { effect: left[index].clone(), per_record: false, start: begin(left[index], &start, tracks) });
+            included.push(Included { held: untold(&scores[index]), effect: left[index].clone(), per_record: false, start: begin(left[index], &start, tracks) });
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
             let Ok((prepared, fitted)) = refit(base, asked, &included, &self.fitted, tracks, false) else { continue };
             let degrees = left[index].parameters.len();
@@ -498,7 +503,7 @@ impl State {
         for i in std::mem::take(&mut t.equivalent) {
             let step: Vec<f64> = scores[i].step.iter().map(|s| s.0).collect();
             let mut included = self.accepted.clone();
-            included.push(Included { effect: left[i].clone(), per_record: false, start: begin(left[i], &step, tracks) });
+            included.push(Included { held: untold(&scores[i]), effect: left[i].clone(), per_record: false, start: begin(left[i], &step, tracks) });
             let Ok((prepared, fitted)) = refit(base, asked, &included, &t.fitted, tracks, false) else { continue };
             let rival = Tried { index: i, value: 0.0, included, prepared, fitted, equivalent: Vec::new(), per_record: false, by_record: scores[i].by_record.clone() };
             let worth = total(&rival, &t.fitted.found.noise)?;
@@ -528,6 +533,11 @@ impl State {
     }
 }
 
+/// Parameters of an effect that the fitted ones have already: they stay at zero.
+fn untold(score: &Score) -> Vec<bool> {
+    score.minimal_detectable.iter().map(|m| !m.is_finite()).collect()
+}
+
 /// Starting values: a delay or lag near zero never leaves it, and must leave room for its step.
 fn begin(effect: &Effect, step: &[f64], tracks: &[Track]) -> Vec<f64> {
     let period = tracks.first().map_or(0.01, |t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64);
@@ -549,7 +559,7 @@ fn wrong_sign(effect: &Effect, score: &Score) -> bool {
 /// The screening model without the assumption that `effect` drops.
 fn towards(base: &Base, asked: &[ParameterSpec], included: &[Included], accepted: usize, effect: &Effect) -> Result<Prepared, PatchError> {
     let mut all = included.to_vec();
-    all.insert(accepted, Included { effect: effect.clone(), per_record: false, start: Vec::new() });
+    all.insert(accepted, Included { held: Vec::new(), effect: effect.clone(), per_record: false, start: Vec::new() });
     prepare(base, asked, &all, accepted + 1)
 }
 

@@ -45,7 +45,7 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
 
     let typical = scales.rate.get(i).copied().unwrap_or(0.0);
     if typical > 0.0 {
-        for (k, share) in [0.03, 0.15].into_iter().enumerate() {
+        for (k, share) in [0.03, 0.15, 0.006].into_iter().enumerate() {
             let width = rounded(share * typical);
             let name = names.free(&format!("F_c_{q}"));
             let p = vec![parameter(&name, row.text(), true, "Coulomb friction")];
