@@ -42,9 +42,13 @@ pub fn view(free: &Figures, hold: Hold) -> View {
 #[must_use]
 pub fn figures(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Record], test: &[Record], view: View) -> Figures {
     let of = |record: &Record, p: &[f64]| -> Vec<Figure> {
-        let options = CompareOptions { hold: view.hold, horizon: view.horizon, ..CompareOptions::default() };
         // a prediction starts at every sample: more of them say nothing new
-        let fewer = view.horizon.map(|_| averaged(record, record.t.len().div_ceil(MOST_STARTS), &wrapped(model, p)));
+        let count = record.t.len().div_ceil(MOST_STARTS);
+        let inputs: Vec<String> = (0..model.dimensions().inputs).map(|i| model.names().signal(i).to_owned()).collect();
+        let held = if view.hold == Hold::Zero { inputs } else { Vec::new() };
+        let fewer = view.horizon.filter(|_| count > 1).map(|_| averaged(record, count, &wrapped(model, p), &held));
+        let hold = if fewer.is_some() { Hold::First } else { view.hold };
+        let options = CompareOptions { hold, horizon: view.horizon, ..CompareOptions::default() };
         let Ok(found) = compare(model, p, fewer.as_ref().unwrap_or(record), &options) else { return Vec::new() };
         let horizon = found.horizon();
         found

@@ -83,8 +83,8 @@ pub fn mistaken(prepared: &Prepared, ranges: &[Range], records: &[Record], hold:
     Ok(found.faults.iter().filter(|f| mistake(&f.kind)).map(|f| format!("{}: {}; {}", f.record, f.sentence(), f.mend())).collect())
 }
 
-/// Log-likelihood that the inputs of a record must be worth, for each parameter that could have been bent to them.
-const WORTH: f64 = 20.0;
+/// Log-likelihood that the inputs of a record must be worth.
+const WORTH: f64 = 5.0;
 
 /// Records whose inputs explain nothing of their motion, though the fitted model has them act.
 ///
@@ -154,8 +154,10 @@ pub fn stride(prepared: &Prepared, p: &[f64], records: &[Record]) -> usize {
     ((1.0 / (period * wanted) + 1e-6).floor() as usize).max(1)
 }
 
-/// A record with blocks of `count` samples averaged; `wrapped` columns are angles modulo one turn.
-pub fn averaged(record: &Record, count: usize, wrapped: &[String]) -> Record {
+/// A record with blocks of `count` samples averaged; `wrapped` columns are angles modulo one turn. Inputs go straight from block to block
+/// afterwards. One of `held`, which keeps its value until the next sample, has the middle of its block half a sample later than an output
+/// that is read at the samples: it is read at the outputs' middle.
+pub fn averaged(record: &Record, count: usize, wrapped: &[String], held: &[String]) -> Record {
     if count < 2 {
         return record.clone();
     }
@@ -173,6 +175,12 @@ pub fn averaged(record: &Record, count: usize, wrapped: &[String]) -> Record {
     for column in &mut out.columns {
         let turn = wrapped.contains(&column.name).then_some(std::f64::consts::TAU);
         column.values = blocks(&column.values, turn);
+        if held.contains(&column.name) {
+            let share = 0.5 / count as f64;
+            for k in (1..column.values.len()).rev() {
+                column.values[k] -= share * (column.values[k] - column.values[k - 1]);
+            }
+        }
     }
     out
 }

@@ -156,8 +156,10 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
     let block = stride(&plain, &p0, train);
     let wrapped: Vec<String> = base.rig.outputs.iter().filter(|o| o.encoder.as_ref().is_some_and(|e| e.wrapped)).map(|o| o.name.clone()).collect();
     let hold = if block > 1 { Hold::First } else { options.hold };
+    let held_inputs: Vec<String> =
+        if options.hold == Hold::Zero { base.rig.inputs.iter().map(|i| i.name.clone()).collect() } else { Vec::new() };
     let bind = |records: &[Record]| {
-        records.iter().map(|r| Track::new(&averaged(r, block, &wrapped), &plain.model, &p0, hold)).collect::<Result<Vec<_>, _>>()
+        records.iter().map(|r| Track::new(&averaged(r, block, &wrapped, &held_inputs), &plain.model, &p0, hold)).collect::<Result<Vec<_>, _>>()
     };
     let (mut tracks, mut held) = (bind(train)?, bind(test)?);
     let (mut first, mut second) = (bind(raw)?, bind(raw_test)?);
@@ -179,7 +181,7 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
     }
 
     let ranges: Vec<_> = base.rig.coordinates.iter().filter_map(|c| Some((c.name.clone(), c.range?))).collect();
-    let all: Vec<Record> = train.iter().chain(test).map(|r| averaged(r, block, &wrapped)).collect();
+    let all: Vec<Record> = train.iter().chain(test).map(|r| averaged(r, block, &wrapped, &held_inputs)).collect();
     answer.faults = mistaken(&plain, &ranges, &all, hold)?;
     if !answer.faults.is_empty() {
         answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
