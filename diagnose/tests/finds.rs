@@ -17,7 +17,8 @@ fn run(rig: &str, train: &[Record], test: &[Record]) -> Diagnosis {
     let base = Base { rig: checked.rig.unwrap(), sources: checked.sources };
     let mut specs = ParameterSpec::of_rig(&base.rig);
     select(&mut specs, None, &["b1".to_owned(), "b4".to_owned()]).unwrap();
-    let only = ["viscous", "quadratic_drag", "constant_torque", "gain_curvature", "sensor_scale", "input_coupling"].map(str::to_owned).to_vec();
+    let only =
+        ["viscous", "quadratic_drag", "constant_torque", "gain_curvature", "sensor_scale", "input_coupling"].map(str::to_owned).to_vec();
     diagnose(&base, &specs, train, test, &Options { only, ..Options::default() }).unwrap_or_else(|e| panic!("{e}"))
 }
 

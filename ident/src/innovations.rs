@@ -21,7 +21,7 @@ mod noise;
 mod smooth;
 mod transition;
 
-pub use estimate::{Estimated, EstimateOptions, Unknown, estimate, likelihood};
+pub use estimate::{EstimateOptions, Estimated, Unknown, estimate, likelihood};
 pub use filter::{Column, Gains, Pass, Shape, Track, pass, wander};
 pub use noise::{Noise, likeliest};
 pub use smooth::{Smoothed, smooth};

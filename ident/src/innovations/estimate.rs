@@ -170,7 +170,8 @@ pub fn estimate(
     for round in 0..options.rounds.max(1) {
         let finest = if round == 0 { 0.7 } else { options.finest };
         noise = likeliest(model, &p, tracks, &noise, finest).ok_or_else(|| nowhere(tracks))?;
-        let mut problem = Problem { model, tracks, specs, noise: noise.clone(), gains: Vec::new(), base: p.clone(), unknowns: unknowns.clone() };
+        let mut problem =
+            Problem { model, tracks, specs, noise: noise.clone(), gains: Vec::new(), base: p.clone(), unknowns: unknowns.clone() };
         let passes = problem.passes(&p, &[], false).ok_or_else(|| nowhere(tracks))?;
         let before: f64 = passes.iter().map(Pass::log_likelihood).sum();
         problem.gains = passes.into_iter().map(|pass| pass.gains).collect();
@@ -225,9 +226,7 @@ fn inverse(normal: &DMatrix<f64>) -> DMatrix<f64> {
     });
     let eigen = scaled.symmetric_eigen();
     DMatrix::from_fn(m, m, |i, j| {
-        let sum: f64 = (0..m)
-            .map(|k| eigen.eigenvectors[(i, k)] * eigen.eigenvectors[(j, k)] / eigen.eigenvalues[k].max(1e-12))
-            .sum();
+        let sum: f64 = (0..m).map(|k| eigen.eigenvectors[(i, k)] * eigen.eigenvectors[(j, k)] / eigen.eigenvalues[k].max(1e-12)).sum();
         let by = scale[i] * scale[j];
         if by > 0.0 {
             sum / by

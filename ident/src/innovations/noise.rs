@@ -96,7 +96,8 @@ pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noi
             values.push(p.clone());
         }
     }
-    let period = tracks.iter().map(|t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64).fold(f64::INFINITY, f64::min);
+    let period =
+        tracks.iter().map(|t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64).fold(f64::INFINITY, f64::min);
     let shortest = tracks.iter().map(|t| t.times()[t.times().len() - 1] - t.times()[0]).fold(f64::INFINITY, f64::min);
     let floor = floors(model, p.first()?, tracks);
     let nd = from.sd.len();

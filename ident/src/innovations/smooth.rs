@@ -44,7 +44,8 @@ pub fn smooth(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise) -> Res
         let (here, next) = (&steps[k], &steps[k + 1]);
         // J = P F^T (P-)^-1; scaled, since angles and torques differ by orders of magnitude
         let scale = DVector::from_fn(order, |i, _| next.predicted.1[(i, i)].max(f64::MIN_POSITIVE).sqrt().recip());
-        let scaled = DMatrix::from_fn(order, order, |i, j| next.predicted.1[(i, j)] * scale[i] * scale[j]) + DMatrix::identity(order, order) * 1e-10;
+        let scaled =
+            DMatrix::from_fn(order, order, |i, j| next.predicted.1[(i, j)] * scale[i] * scale[j]) + DMatrix::identity(order, order) * 1e-10;
         let Some(factor) = scaled.cholesky() else { return Ok(None) };
         let mut right = &next.transition * &here.updated.1;
         (0..order).for_each(|i| right.row_mut(i).scale_mut(scale[i]));

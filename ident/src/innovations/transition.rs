@@ -62,14 +62,7 @@ pub(crate) struct Stepper<'a> {
 }
 
 impl<'a> Stepper<'a> {
-    pub fn new(
-        model: &'a dyn Model,
-        p: &[f64],
-        entries: &[usize],
-        variance: Vec<f64>,
-        decay: Vec<f64>,
-        columns: &'a [Column<'a>],
-    ) -> Self {
+    pub fn new(model: &'a dyn Model, p: &[f64], entries: &[usize], variance: Vec<f64>, decay: Vec<f64>, columns: &'a [Column<'a>]) -> Self {
         let d = model.dimensions();
         let n = d.states();
         let order = n + entries.len();

@@ -81,11 +81,14 @@ impl Resolver<'_> {
                     let hi = self.expect(&e.values[1], dimension, "this limit", Allowed::Parameters);
                     out.saturation = Some((lo, hi));
                 }
-                _ => self.entry_error(e, if s.keyword == "input" {
-                    "delay T, map EXPRESSION, dead_zone W, saturate LO..HI, lag TAU"
-                } else {
-                    "delay T, dead_zone W, saturate LO..HI, lag TAU"
-                }),
+                _ => self.entry_error(
+                    e,
+                    if s.keyword == "input" {
+                        "delay T, map EXPRESSION, dead_zone W, saturate LO..HI, lag TAU"
+                    } else {
+                        "delay T, dead_zone W, saturate LO..HI, lag TAU"
+                    },
+                ),
             }
         }
         out
