@@ -86,24 +86,30 @@ pub fn mistaken(prepared: &Prepared, ranges: &[Range], records: &[Record], hold:
 /// Log-likelihood that the inputs of a record must be worth.
 const WORTH: f64 = 5.0;
 
-/// Records whose inputs explain nothing of their motion, though the fitted model has them act.
+/// Records whose inputs explain nothing of their motion, neither with the fitted parameters nor with the rig's own.
 ///
 /// # Errors
 /// As the filter.
-pub fn strangers(prepared: &Prepared, p: &[Vec<f64>], noise: &Noise, tracks: &[Track]) -> Result<Vec<String>, FitError> {
+pub fn strangers(prepared: &Prepared, fitted: &[Vec<f64>], own: &[f64], noise: &Noise, tracks: &[Track]) -> Result<Vec<String>, FitError> {
     let mut faults = Vec::new();
-    for (track, p) in tracks.iter().zip(p) {
-        let Some(still) = track.without_inputs(&prepared.model, p) else { continue };
-        let of = |track: &Track| likelihood(&prepared.model, p, track, noise).map(|l| l.map(|l| l.iter().sum::<f64>()));
-        let (with, without) = (of(track)?, of(&still)?);
-        if let (Some(with), Some(without)) = (with, without)
-            && with < without + WORTH
-        {
+    for (track, fitted) in tracks.iter().zip(fitted) {
+        let mut worth = f64::NEG_INFINITY;
+        for p in [fitted.as_slice(), own] {
+            let Some(still) = track.without_inputs(&prepared.model, p) else {
+                worth = f64::INFINITY;
+                break;
+            };
+            let of = |track: &Track| likelihood(&prepared.model, p, track, noise).map(|l| l.map(|l| l.iter().sum::<f64>()));
+            // what cannot be followed says nothing
+            worth = match (of(track)?, of(&still)?) {
+                (Some(with), Some(without)) => worth.max(with - without),
+                _ => f64::INFINITY,
+            };
+        }
+        if worth < WORTH {
             faults.push(format!(
-                "{}: the inputs explain nothing of the motion (log-likelihood {:.0} with them, {:.0} with their means): are they this record's own?",
-                track.source(),
-                with,
-                without
+                "{}: the inputs explain nothing of the motion (log-likelihood {worth:+.0} against their means): are they this record's own?",
+                track.source()
             ));
         }
     }

@@ -11,6 +11,7 @@ use crate::effects::{Effect, Signature};
 use crate::model::Prepared;
 use ident::fit::FitError;
 use ident::innovations::{Column, Noise, Pass, Shape, Track, pass};
+use model_dsl::rig::{Expr, Friction, Symbol};
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 
@@ -78,7 +79,9 @@ pub fn screen(
     options: ScreenOptions,
 ) -> Result<Vec<Score>, FitError> {
     let (model, specs): (&dyn Model, _) = (&prepared.model, &prepared.specs);
-    let fitted: Vec<usize> = specs.iter().enumerate().filter(|(_, s)| s.free).map(|(i, _)| i).collect();
+    // the width of a dry friction is a crutch of the equations, not the rig's: what it could do is no effect
+    let crutches = widths(prepared);
+    let fitted: Vec<usize> = specs.iter().enumerate().filter(|(i, s)| s.free || crutches.contains(i)).map(|(i, _)| i).collect();
     let mut columns: Vec<Column<'_>> = fitted.iter().map(|&i| Column::Parameter(i)).collect();
     let mut own: Vec<std::ops::Range<usize>> = Vec::new();
     for candidate in candidates {
@@ -181,6 +184,15 @@ pub fn screen(
         score.minimal_detectable = (0..test.range.len()).map(|k| reach / test.information(k, &whole).sqrt()).collect();
     }
     Ok(scores)
+}
+
+/// Parameters that are widths of dry friction.
+fn widths(prepared: &Prepared) -> Vec<usize> {
+    let of = |f: &Friction| match f.width {
+        Some(Expr::Symbol(Symbol::Parameter(i))) => Some(i),
+        _ => None,
+    };
+    prepared.base.rig.frictions.iter().filter_map(of).collect()
 }
 
 fn passes(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &Noise, columns: &[Column<'_>]) -> Result<Vec<Pass>, FitError> {

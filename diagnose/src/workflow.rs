@@ -201,7 +201,7 @@ pub fn diagnose(
     }
     tell("fitting the base ..");
     let fitted = fit_base(&plain, train, &mut tracks, options)?;
-    answer.faults = strangers(&plain, &fitted.found.p, &fitted.found.noise, &tracks)?;
+    answer.faults = strangers(&plain, &fitted.found.p, &p0, &fitted.found.noise, &tracks)?;
     if !answer.faults.is_empty() {
         answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
         answer.verdict = Verdict::BadData;
@@ -281,16 +281,14 @@ pub fn diagnose(
         current = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
         contradicted = false;
         // what an earlier effect stood for may have been this one
-        if let Some(drop) = current.superfluous() {
-            if drop + 1 < current.accepted.len() {
-                tell(&format!("  dropped again: {}", current.accepted[drop].effect.title()));
-                let mut fewer = current.accepted.clone();
-                fewer.remove(drop);
-                if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, &mut tracks, true) {
-                    answer.findings.remove(drop);
-                    answer.after = figures(&prepared.model, &fitted.found.p, &fitted.mean(), train, test, seen);
-                    current = State { prepared, fitted, accepted: fewer };
-                }
+        if let Some(drop) = current.superfluous().filter(|drop| drop + 1 < current.accepted.len()) {
+            tell(&format!("  dropped again: {}", current.accepted[drop].effect.title()));
+            let mut fewer = current.accepted.clone();
+            fewer.remove(drop);
+            if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, &mut tracks, true) {
+                answer.findings.remove(drop);
+                answer.after = figures(&prepared.model, &fitted.found.p, &fitted.mean(), train, test, seen);
+                current = State { prepared, fitted, accepted: fewer };
             }
         }
     }
@@ -558,12 +556,12 @@ impl State {
             let worth = total(&rival, &t.fitted.found.noise)?;
             let best = rivals[0].1;
             rivals.push((i, worth));
-            if worth > best + SEPARATES {
-                if let Ok((prepared, fitted)) = refit(base, asked, &rival.included, &rival.fitted, tracks, true) {
-                    *t = Tried { prepared, fitted, ..rival };
-                    rivals.swap_remove(0);
-                    rivals.insert(0, (i, total(t, &t.fitted.found.noise)?));
-                }
+            if worth > best + SEPARATES
+                && let Ok((prepared, fitted)) = refit(base, asked, &rival.included, &rival.fitted, tracks, true)
+            {
+                *t = Tried { prepared, fitted, ..rival };
+                rivals.swap_remove(0);
+                rivals.insert(0, (i, total(t, &t.fitted.found.noise)?));
             }
         }
         let best = rivals[0].1;

@@ -350,9 +350,9 @@ pub(crate) fn run(
             };
             if m > 0 {
                 row.fill(0.0);
-                for j in 0..n {
-                    if c[j] != 0.0 {
-                        row.iter_mut().zip(&carried.sensitivity[j * m..(j + 1) * m]).for_each(|(r, s)| *r -= c[j] * s);
+                for (c, sensitivity) in c.iter().zip(carried.sensitivity.chunks_exact(m)) {
+                    if *c != 0.0 {
+                        row.iter_mut().zip(sensitivity).for_each(|(r, s)| *r -= c * s);
                     }
                 }
                 for (r, column) in row.iter_mut().zip(columns) {

@@ -252,8 +252,8 @@ impl<'a> Stepper<'a> {
                 Column::Towards(model) => {
                     let (x, u, p, other) = (&self.x, &self.u, &self.p, &mut self.other);
                     model.rhs(t, x, u, p, other).map_err(|_| Stopped)?;
-                    for i in 0..n {
-                        self.forcing[i * m + c] = other[i] - self.dx[i];
+                    for (row, (other, own)) in self.forcing.chunks_exact_mut(m).zip(self.other.iter().zip(&self.dx)) {
+                        row[c] = other - own;
                     }
                 }
             }
@@ -277,10 +277,10 @@ impl<'a> Stepper<'a> {
             let spare = &mut self.spare[..n * n];
             spare.fill(0.0);
             product(&self.power, &self.a, spare, n, n, n);
-            for i in 0..n * n {
-                self.power[i] = factor * spare[i];
-                self.phi[i] += self.power[i];
-                self.psi[i] += self.power[i] * h / f64::from(k + 1);
+            for ((power, next), (phi, psi)) in self.power.iter_mut().zip(spare.iter()).zip(self.phi.iter_mut().zip(&mut self.psi)) {
+                *power = factor * next;
+                *phi += *power;
+                *psi += *power * h / f64::from(k + 1);
             }
         }
     }
