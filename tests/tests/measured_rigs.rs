@@ -64,7 +64,7 @@ fn fit(figures: &RecordFigures, signal: &str) -> f64 {
 
 #[test]
 fn every_rig_of_a_record_is_sound() {
-    let rigs = rigs_in("examples/rigs/measured");
+    let rigs = rigs_in("examples/measured");
     assert!(rigs.len() >= 10);
     for path in rigs {
         derive(&rig_of(&path), Options::default()).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
