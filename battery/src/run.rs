@@ -6,8 +6,9 @@ use crate::rigs::{Bench, Rig};
 use crate::truth::chance::Chance;
 use crate::truth::experiment::{Excitation, Samples};
 use crate::truth::plant::Plant;
+use diagnose::effects::{Scales, catalogue};
 use diagnose::patch::Base;
-use diagnose::{Candidate, Diagnosis, Method, Options, Step, diagnose};
+use diagnose::{Candidate, DiagnoseError, Diagnosis, Method, Options, Step, diagnose};
 use ident::fit::ParameterSpec;
 use ident::record::{Column, Record, Start};
 use serde::{Deserialize, Serialize};
@@ -175,6 +176,18 @@ struct Setting {
 }
 
 impl Setting {
+    /// Effects that the catalogue has for this rig, moved as it is.
+    fn known(&self, plant: &Plant, task: &Task) -> Vec<String> {
+        let condition = Condition { fault: None, ..task.condition };
+        let all = experiments(&self.bench, plant, &condition, self.seed);
+        let n = plant.mechanics.coordinates();
+        let range = (0..n).map(|i| all[..2].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, s| (r.0.min(s.range[i].0), r.1.max(s.range[i].1)))).collect();
+        let rate = (0..n).map(|i| all[0].rate[i]).collect();
+        let duration = all[0].t.last().copied().unwrap_or(0.0);
+        let scales = Scales { range, rate, input: vec![(1.0, 1.0); task.rig.names().1.len()], duration };
+        catalogue(&self.base.rig, &scales).into_iter().map(|e| e.id).collect()
+    }
+
     fn records(&self, task: &Task, plant: &Plant, chance: &mut Chance) -> (Vec<Record>, Moved) {
         let mut all = experiments(&self.bench, plant, &task.condition, self.seed);
         let first = &all[0];
@@ -199,8 +212,18 @@ impl Setting {
     }
 
     fn diagnose(&self, records: &[Record], only: &[String], until: Step, method: Method) -> Result<Diagnosis, String> {
-        let options = Options { only: only.to_vec(), until, method, ..Options::default() };
-        let run = || diagnose(&self.base, &self.specs, &records[..2], &records[2..], &options).map_err(|e| e.to_string());
+        let ask = |only: Vec<String>| {
+            let options = Options { only, until, method, ..Options::default() };
+            diagnose(&self.base, &self.specs, &records[..2], &records[2..], &options)
+        };
+        let run = || {
+            let found = match ask(only.to_vec()) {
+                // ranges that the filter sees are not quite those that were
+                Err(DiagnoseError::UnknownEffect { known, .. }) => ask(only.iter().filter(|id| known.contains(id)).cloned().collect()),
+                found => found,
+            };
+            found.map_err(|e| e.to_string())
+        };
         // a fault of the program is a result, too
         std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).unwrap_or_else(|panic| {
             let text = panic.downcast_ref::<String>().cloned().or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned()));
@@ -246,7 +269,9 @@ pub fn run(task: &Task) -> Option<Outcome> {
     let specs = ParameterSpec::of_rig(&base.rig);
     let setting = Setting { base, specs, bench: task.rig.bench(seed), seed };
     let mut plant = setting.bench.plant.clone();
-    let mut only: Vec<String> = families(task.rig, task.number).into_iter().map(str::to_owned).collect();
+    // only what can act on this rig
+    let known = setting.known(&plant, task);
+    let mut only: Vec<String> = families(task.rig, task.number).into_iter().map(str::to_owned).filter(|id| known.contains(id)).collect();
     if let Hiding::This(effect, _) = task.hiding
         && !only.iter().any(|o| o == effect)
     {
