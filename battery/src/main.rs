@@ -1,5 +1,5 @@
 //! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME]`; `--table FILE ..` prints what
-//! files hold.
+//! files hold; `--examples FOLDER` writes the records of `examples/hidden`.
 
 use battery::rigs::Rig;
 use battery::rows::{ROWS, tasks};
@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME]\n       battery --table FILE ..";
+const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME]\n       battery --table FILE ..\n       battery --examples FOLDER";
 
 fn main() -> ExitCode {
     match work(std::env::args().skip(1).collect()) {
@@ -32,11 +32,12 @@ struct Arguments {
     rigs: Vec<Rig>,
     part: Option<String>,
     table: Vec<String>,
+    examples: Option<String>,
 }
 
 fn arguments(given: Vec<String>) -> Result<Arguments, String> {
     let mut own =
-        Arguments { rows: Vec::new(), runs: 20, out: None, resume: false, threads: 2, rigs: Rig::ALL.to_vec(), part: None, table: Vec::new() };
+        Arguments { rows: Vec::new(), runs: 20, out: None, resume: false, threads: 2, rigs: Rig::ALL.to_vec(), part: None, table: Vec::new(), examples: None };
     let mut given = given.into_iter().peekable();
     while let Some(word) = given.next() {
         let mut value = || given.next().ok_or_else(|| format!("{word} needs a value\n{USAGE}"));
@@ -57,6 +58,7 @@ fn arguments(given: Vec<String>) -> Result<Arguments, String> {
                     .map(|name| Rig::ALL.into_iter().find(|r| r.name() == name.trim()).ok_or_else(|| format!("there is no rig `{name}`")))
                     .collect::<Result<_, _>>()?;
             }
+            "--examples" => own.examples = Some(value()?),
             "--resume" => own.resume = true,
             "--table" => own.table = given.by_ref().collect(),
             _ => return Err(format!("`{word}` is not known\n{USAGE}")),
@@ -79,6 +81,13 @@ fn work(given: Vec<String>) -> Result<(), String> {
             all.extend(read(path)?);
         }
         println!("{}", tables(&all));
+        return Ok(());
+    }
+    if let Some(folder) = &arguments.examples {
+        for (name, text) in battery::examples::files() {
+            let path = std::path::Path::new(folder).join(name);
+            std::fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))?;
+        }
         return Ok(());
     }
     let (Some(out), false) = (&arguments.out, arguments.rows.is_empty()) else { return Err(USAGE.to_owned()) };

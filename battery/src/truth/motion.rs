@@ -128,22 +128,25 @@ impl<'a> Motion<'a> {
                 f[i] += bristles.force(x.v[i], x.z[i]).0;
             }
         }
-        let free: Vec<usize> = (0..self.n).filter(|&i| self.modes[i] != Mode::Stuck).collect();
-        let mut a = [0.0; MOST];
-        // Gauss without pivots: a mass matrix is positive definite
-        let mut rows: Vec<Vec<f64>> = free.iter().map(|&i| free.iter().map(|&j| m[i][j]).chain([f[i]]).collect()).collect();
-        let count = free.len();
-        for k in 0..count {
-            for i in k + 1..count {
-                let factor = rows[i][k] / rows[k][k];
-                for j in k..=count {
-                    rows[i][j] -= factor * rows[k][j];
+        // Gauss without pivots: a mass matrix is positive definite; rows of held joints say a = 0
+        let (mut left, mut right) = (m, f);
+        for i in (0..self.n).filter(|&i| self.modes[i] == Mode::Stuck) {
+            left[i] = std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 });
+            right[i] = 0.0;
+        }
+        for k in 0..self.n {
+            for i in k + 1..self.n {
+                let factor = left[i][k] / left[k][k];
+                for j in k..self.n {
+                    left[i][j] -= factor * left[k][j];
                 }
+                right[i] -= factor * right[k];
             }
         }
-        for k in (0..count).rev() {
-            let known: f64 = (k + 1..count).map(|j| rows[k][j] * a[free[j]]).sum();
-            a[free[k]] = (rows[k][count] - known) / rows[k][k];
+        let mut a = [0.0; MOST];
+        for k in (0..self.n).rev() {
+            let known: f64 = (k + 1..self.n).map(|j| left[k][j] * a[j]).sum();
+            a[k] = (right[k] - known) / left[k][k];
         }
         (a, f, m)
     }
