@@ -189,7 +189,8 @@ pub fn hide_outside(plant: &mut Plant, what: &str, i: usize, force: f64, rate: f
         "lugre" => {
             // bends by a fiftieth of what it goes in a second
             let stiffness = force / (0.02 * rate);
-            joint.bristles = Some(crate::truth::plant::Bristles { stiffness, damping: 0.0, coulomb: force, rest: 1.6 * force, speed: 0.1 * rate });
+            joint.bristles =
+                Some(crate::truth::plant::Bristles { stiffness, damping: 0.0, coulomb: force, rest: 1.6 * force, speed: 0.1 * rate });
         }
         _ => return None,
     }

@@ -36,15 +36,25 @@ struct Arguments {
 }
 
 fn arguments(given: Vec<String>) -> Result<Arguments, String> {
-    let mut own =
-        Arguments { rows: Vec::new(), runs: 20, out: None, resume: false, threads: 2, rigs: Rig::ALL.to_vec(), part: None, table: Vec::new(), examples: None };
+    let mut own = Arguments {
+        rows: Vec::new(),
+        runs: 20,
+        out: None,
+        resume: false,
+        threads: 2,
+        rigs: Rig::ALL.to_vec(),
+        part: None,
+        table: Vec::new(),
+        examples: None,
+    };
     let mut given = given.into_iter().peekable();
     while let Some(word) = given.next() {
         let mut value = || given.next().ok_or_else(|| format!("{word} needs a value\n{USAGE}"));
         match word.as_str() {
             "--row" => {
                 let name = value()?;
-                let known = ROWS.iter().find(|r| **r == name).ok_or_else(|| format!("there is no row `{name}`; rows are {}", ROWS.join(", ")))?;
+                let known =
+                    ROWS.iter().find(|r| **r == name).ok_or_else(|| format!("there is no row `{name}`; rows are {}", ROWS.join(", ")))?;
                 own.rows.push(known);
             }
             "--runs" => own.runs = value()?.parse().map_err(|_| format!("--runs needs a number\n{USAGE}"))?,

@@ -111,21 +111,51 @@ impl Rig {
                 let (l, j, b) = (near(0.25, few), near(0.002, few), near(0.006, fifth));
                 let mut plant = Plant::new(Mechanics::Pendulum(Pendulum { m: 0.3, l, dx: 0.0, j, tilt: 0.0 }));
                 plant.joints[0].viscous = b;
-                bench(plant, &[turn(8192.0)], 0.01, [(0.0, 0.45), (0.0, 0.0)], (0.1, 1.6), [0.7, 0.0, 0.0], [(2.0, 0.15), (0.0, 0.0)], [0, 0], 0.8)
+                bench(
+                    plant,
+                    &[turn(8192.0)],
+                    0.01,
+                    [(0.0, 0.45), (0.0, 0.0)],
+                    (0.1, 1.6),
+                    [0.7, 0.0, 0.0],
+                    [(2.0, 0.15), (0.0, 0.0)],
+                    [0, 0],
+                    0.8,
+                )
             }
             Self::CartPole => {
                 let (m_c, l, j) = (near(0.9, few), near(0.3, few), near(0.008, few));
                 let (b_x, b_t) = (near(3.0, fifth), near(0.004, fifth));
                 let mut plant = Plant::new(Mechanics::CartPole(CartPole { m_c, m_p: 0.25, l, dx: 0.0, j }));
                 (plant.joints[0].viscous, plant.joints[1].viscous) = (b_x, b_t);
-                bench(plant, &[1.0 / 40_000.0, turn(4096.0)], 0.01, [(0.0, 4.0), (0.0, 0.0)], (0.2, 2.5), [3.0, 0.7, 0.0], [(30.0, 4.0), (0.0, 0.0)], [0, 0], 0.25)
+                bench(
+                    plant,
+                    &[1.0 / 40_000.0, turn(4096.0)],
+                    0.01,
+                    [(0.0, 4.0), (0.0, 0.0)],
+                    (0.2, 2.5),
+                    [3.0, 0.7, 0.0],
+                    [(30.0, 4.0), (0.0, 0.0)],
+                    [0, 0],
+                    0.25,
+                )
             }
             Self::Furuta => {
                 let (j_arm, l, j) = (near(3e-4, few), near(0.065, few), near(4e-5, few));
                 let (b_t, b_a) = (near(4e-4, fifth), near(2e-5, fifth));
                 let mut plant = Plant::new(Mechanics::Furuta(Furuta { j_arm, r: 0.085, m: 0.03, l, j }));
                 (plant.joints[0].viscous, plant.joints[1].viscous) = (b_t, b_a);
-                bench(plant, &[turn(8192.0), turn(8192.0)], 0.005, [(0.0, 0.006), (0.0, 0.0)], (0.3, 4.0), [0.005, 0.02, 0.0], [(0.02, 1e-3), (0.0, 0.0)], [0, 0], 0.8)
+                bench(
+                    plant,
+                    &[turn(8192.0), turn(8192.0)],
+                    0.005,
+                    [(0.0, 0.006), (0.0, 0.0)],
+                    (0.3, 4.0),
+                    [0.005, 0.02, 0.0],
+                    [(0.02, 1e-3), (0.0, 0.0)],
+                    [0, 0],
+                    0.8,
+                )
             }
             Self::Helicopter => {
                 let a = [near(0.2634, few), near(1.6279, 0.02), near(25.6488, few)];
@@ -137,7 +167,17 @@ impl Rig {
                     joint.viscous = c;
                 }
                 // levelled by the elevation's error, pitch left to its pendulum
-                bench(plant, &[turn(8192.0); 3], 0.02, [(hover, 0.35), (hover, 0.35)], (0.06, 1.2), [0.5, 0.4, 5.0], [(0.6, 0.8), (0.6, 0.8)], [1, 1], 0.25)
+                bench(
+                    plant,
+                    &[turn(8192.0); 3],
+                    0.02,
+                    [(hover, 0.35), (hover, 0.35)],
+                    (0.06, 1.2),
+                    [0.5, 0.4, 5.0],
+                    [(0.6, 0.8), (0.6, 0.8)],
+                    [1, 1],
+                    0.25,
+                )
             }
             Self::DoublePendulum => {
                 let (r, i) = ([near(0.25, few), near(0.18, few)], [near(0.05, few), near(0.026, few)]);
@@ -145,14 +185,34 @@ impl Rig {
                 let links = DoublePendulum { m: [0.56, 0.6], r, l: 0.3, i, rotor: 8e-5, n: 6.0 };
                 let mut plant = Plant::new(Mechanics::DoublePendulum(links));
                 (plant.joints[0].viscous, plant.joints[1].viscous) = (damping[0], damping[1]);
-                bench(plant, &[turn(16384.0); 2], 0.01, [(0.0, 1.2), (0.0, 0.5)], (0.2, 2.0), [4.0, 1.0, 0.0], [(4.0, 0.4), (2.0, 0.15)], [0, 1], 0.5)
+                bench(
+                    plant,
+                    &[turn(16384.0); 2],
+                    0.01,
+                    [(0.0, 1.2), (0.0, 0.5)],
+                    (0.2, 2.0),
+                    [4.0, 1.0, 0.0],
+                    [(4.0, 0.4), (2.0, 0.15)],
+                    [0, 1],
+                    0.5,
+                )
             }
             Self::Drive => {
                 let (m, f_v, f_c) = (near(95.0, few), near(205.0, fifth), near(20.0, 0.1));
                 let mut plant = Plant::new(Mechanics::Drive(Drive { m, gain: 35.15 }));
                 plant.joints[0].viscous = f_v;
                 plant.joints[0].coulomb = f_c;
-                bench(plant, &[1.0 / 200_000.0], 0.01, [(0.0, 2.5), (0.0, 0.0)], (0.2, 2.5), [40.0, 0.0, 0.0], [(60.0, 10.0), (0.0, 0.0)], [0, 0], 0.1)
+                bench(
+                    plant,
+                    &[1.0 / 200_000.0],
+                    0.01,
+                    [(0.0, 2.5), (0.0, 0.0)],
+                    (0.2, 2.5),
+                    [40.0, 0.0, 0.0],
+                    [(60.0, 10.0), (0.0, 0.0)],
+                    [0, 0],
+                    0.1,
+                )
             }
         }
     }

@@ -29,7 +29,14 @@ pub fn tasks(row: &'static str, runs: u64, rigs: &[Rig]) -> Vec<Task> {
     let mut parts: Vec<Part> = Vec::new();
     let mut add = |name: &str, conditions: &[Condition], hiding: Hiding, method: Method, among: &[Rig], stream: &str| {
         let rigs: Vec<Rig> = rigs.iter().copied().filter(|r| among.contains(r)).collect();
-        parts.push(Part { name: name.to_owned(), conditions: conditions.to_vec(), hiding, method, rigs, stream: format!("{row} {stream}") });
+        parts.push(Part {
+            name: name.to_owned(),
+            conditions: conditions.to_vec(),
+            hiding,
+            method,
+            rigs,
+            stream: format!("{row} {stream}"),
+        });
     };
     let full = Method::default();
     let turning = [Rig::Pendulum, Rig::CartPole, Rig::Furuta, Rig::DoublePendulum];
@@ -59,7 +66,14 @@ pub fn tasks(row: &'static str, runs: u64, rigs: &[Rig]) -> Vec<Task> {
             add("nothing: full method", &torque, Hiding::Nothing, full, &Rig::ALL, "nothing");
             add("nothing: no whitening", &torque, Hiding::Nothing, Method { whitening: false, ..full }, &Rig::ALL, "nothing");
             add("nothing: no family", &torque, Hiding::Nothing, Method { family: false, ..full }, &Rig::ALL, "nothing");
-            add("nothing: no family, no other records", &torque, Hiding::Nothing, Method { family: false, other_records: false, ..full }, &Rig::ALL, "nothing");
+            add(
+                "nothing: no family, no other records",
+                &torque,
+                Hiding::Nothing,
+                Method { family: false, other_records: false, ..full },
+                &Rig::ALL,
+                "nothing",
+            );
             add("day: full method", &[DAY], Hiding::Nothing, full, &Rig::ALL, "day");
             add("day: no other records", &[DAY], Hiding::Nothing, Method { other_records: false, ..full }, &Rig::ALL, "day");
             add("eaten: full method", &eaten, Hiding::Eaten(0.05), full, &turning, "eaten");

@@ -115,15 +115,37 @@ pub struct Outcome {
 /// Families of effects that are screened: at most forty candidates at a time.
 fn families(rig: Rig, number: u64) -> Vec<&'static str> {
     let first = [
-        "coulomb", "quadratic_drag", "asymmetric_friction", "cubic_spring", "constant_torque", "input_delay", "actuator_deadzone", "gain_curvature",
-        "actuator_gain", "actuator_bias", "sensor_bias", "sensor_scale", "sensor_delay",
+        "coulomb",
+        "quadratic_drag",
+        "asymmetric_friction",
+        "cubic_spring",
+        "constant_torque",
+        "input_delay",
+        "actuator_deadzone",
+        "gain_curvature",
+        "actuator_gain",
+        "actuator_bias",
+        "sensor_bias",
+        "sensor_scale",
+        "sensor_delay",
     ];
     let second = [
-        "coulomb", "quadratic_drag", "spring", "stribeck", "actuator_lag", "actuator_saturation", "actuator_drift", "start_transient", "input_coupling",
-        "sensor_drift", "sensor_misalignment", "base_tilt",
+        "coulomb",
+        "quadratic_drag",
+        "spring",
+        "stribeck",
+        "actuator_lag",
+        "actuator_saturation",
+        "actuator_drift",
+        "start_transient",
+        "input_coupling",
+        "sensor_drift",
+        "sensor_misalignment",
+        "base_tilt",
     ];
     let single = ["periodic_torque", "hard_stop", "gravity_offset", "added_mass"];
-    let flying = ["coulomb", "quadratic_drag", "spring", "constant_torque", "velocity_product", "input_coupling", "actuator_lag", "sensor_drift"];
+    let flying =
+        ["coulomb", "quadratic_drag", "spring", "constant_torque", "velocity_product", "input_coupling", "actuator_lag", "sensor_drift"];
     match rig {
         Rig::Pendulum | Rig::Drive => first.into_iter().chain(second).chain(single).fold(Vec::new(), |mut all, id| {
             if !all.contains(&id) {
@@ -181,7 +203,9 @@ impl Setting {
         let condition = Condition { fault: None, ..task.condition };
         let all = experiments(&self.bench, plant, &condition, self.seed);
         let n = plant.mechanics.coordinates();
-        let range = (0..n).map(|i| all[..2].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, s| (r.0.min(s.range[i].0), r.1.max(s.range[i].1)))).collect();
+        let range = (0..n)
+            .map(|i| all[..2].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, s| (r.0.min(s.range[i].0), r.1.max(s.range[i].1))))
+            .collect();
         let rate = (0..n).map(|i| all[0].rate[i]).collect();
         let duration = all[0].t.last().copied().unwrap_or(0.0);
         let scales = Scales { range, rate, input: vec![(1.0, 1.0); task.rig.names().1.len()], duration };
@@ -313,7 +337,8 @@ fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Move
             let (coordinates, _) = task.rig.names();
             let i = chance.index(coordinates.len());
             // the force that shows least: the largest of the joint's own
-            let force = told.iter().filter(|c| c.effect == "coulomb" && c.place == coordinates[i]).map(|c| detectable(c)[0]).fold(0.0, f64::max);
+            let force =
+                told.iter().filter(|c| c.effect == "coulomb" && c.place == coordinates[i]).map(|c| detectable(c)[0]).fold(0.0, f64::max);
             if force <= 0.0 {
                 return None;
             }
@@ -327,7 +352,12 @@ fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Move
         let (coordinates, _) = task.rig.names();
         let last = coordinates.len() - 1;
         let (_, f) = plant.mechanics.equations(&std::array::from_fn(|i| if i == last { 0.01 } else { 0.0 }), &[0.0; 3], &[0.0; 3]);
-        let hidden = Hidden { effect: "spring".to_owned(), place: coordinates[last].to_owned(), sizes: vec![share * f[last].abs() / 0.01, 0.0], multiple: share };
+        let hidden = Hidden {
+            effect: "spring".to_owned(),
+            place: coordinates[last].to_owned(),
+            sizes: vec![share * f[last].abs() / 0.01, 0.0],
+            multiple: share,
+        };
         hide(plant, task.rig, &hidden, moved)?;
         return Some(vec![hidden]);
     }
@@ -381,14 +411,19 @@ fn fill(outcome: &mut Outcome, found: &Diagnosis) {
             gain: f.heldout_gain,
         })
         .collect();
-    outcome.strongest = found.candidates.iter().find(|c| c.status != "not identifiable").map(|c| (c.effect.clone(), c.place.clone(), c.class));
+    outcome.strongest =
+        found.candidates.iter().find(|c| c.status != "not identifiable").map(|c| (c.effect.clone(), c.place.clone(), c.class));
     outcome.truth_class = outcome.hidden.iter().map(|h| class(&h.effect, &h.place)).collect();
     outcome.class_size = outcome
         .truth_class
         .iter()
         .map(|k| {
-            let mut names: Vec<(&str, &str)> =
-                found.candidates.iter().filter(|c| c.class == *k && c.status != "not identifiable").map(|c| (c.effect.as_str(), c.place.as_str())).collect();
+            let mut names: Vec<(&str, &str)> = found
+                .candidates
+                .iter()
+                .filter(|c| c.class == *k && c.status != "not identifiable")
+                .map(|c| (c.effect.as_str(), c.place.as_str()))
+                .collect();
             names.sort_unstable();
             names.dedup();
             names.len()

@@ -140,7 +140,8 @@ fn hidden(own: &[&Outcome], text: &mut String, title: &str, key: &dyn Fn(&Outcom
         let first = group.iter().filter(|o| o.strongest.as_ref().is_some_and(|s| o.truth_class.contains(&s.2))).count();
         let said = group.iter().filter(|o| !o.said.is_empty()).count();
         let right = group.iter().filter(|o| all_right(o)).count();
-        let cover = group.iter().filter(|o| !o.said.is_empty() && (0..o.hidden.len()).all(|k| o.said.iter().any(|s| covered(s, o, k)))).count();
+        let cover =
+            group.iter().filter(|o| !o.said.is_empty() && (0..o.hidden.len()).all(|k| o.said.iter().any(|s| covered(s, o, k)))).count();
         let inside: Vec<bool> = group.iter().flat_map(|o| coefficients(o)).collect();
         let wrong = group.iter().filter(|o| wrongly_confident(o)).count();
         let shrunk = group.iter().filter(|o| !o.said.is_empty()).flat_map(|o| o.shrink.iter().map(|s| s.1).reduce(f64::max)).collect();
@@ -166,7 +167,8 @@ fn outside(own: &[&Outcome], text: &mut String) {
     let _ = writeln!(text, "| hidden | gap seen | silent or partial | named, and sure | names | verdicts |\n|---|---|---|---|---|---|");
     for (name, group) in groups(own, &|o| o.part.clone()) {
         let seen = group.iter().filter(|o| o.verdict != "no_gap" && o.verdict != "failed").count();
-        let sure: Vec<&&Outcome> = group.iter().filter(|o| !o.said.is_empty() && (o.verdict == "complete" || o.verdict == "ambiguous")).collect();
+        let sure: Vec<&&Outcome> =
+            group.iter().filter(|o| !o.said.is_empty() && (o.verdict == "complete" || o.verdict == "ambiguous")).collect();
         let mut names: BTreeMap<&str, usize> = BTreeMap::new();
         group.iter().flat_map(|o| &o.said).for_each(|s| *names.entry(&s.effect).or_default() += 1);
         let names: Vec<String> = names.iter().map(|(n, k)| format!("{n} {k}")).collect();
@@ -203,12 +205,19 @@ fn dose(own: &[&Outcome], text: &mut String) {
         let k = k as f64 / 1000.0;
         let n = group.len();
         let screened = group.iter().filter(|o| o.screening_p < 0.05).count();
-        let first = group.iter().filter(|o| o.screening_p < 0.05 && o.strongest.as_ref().is_some_and(|s| o.truth_class.contains(&s.2))).count();
+        let first =
+            group.iter().filter(|o| o.screening_p < 0.05 && o.strongest.as_ref().is_some_and(|s| o.truth_class.contains(&s.2))).count();
         let good = group.iter().filter(|o| all_right(o)).count();
         let wrong = group.iter().filter(|o| o.said.iter().any(|s| !right(s, o, 0))).count();
         let predicted = 100.0 * phi(k * (2.8 + 1.2816) - 2.8);
-        let _ =
-            writeln!(text, "| {effect} | {k} | {predicted:.0} % | {} | {} | {} | {} |", share(screened, n), share(first, n), share(good, n), share(wrong, n));
+        let _ = writeln!(
+            text,
+            "| {effect} | {k} | {predicted:.0} % | {} | {} | {} | {} |",
+            share(screened, n),
+            share(first, n),
+            share(good, n),
+            share(wrong, n)
+        );
     }
 }
 
@@ -220,7 +229,15 @@ fn confusion(own: &[&Outcome], text: &mut String) {
             let said = o.said.iter().find(|s| right(s, o, k)).or_else(|| (o.hidden.len() == 1).then(|| o.said.first()).flatten());
             let name = said.map_or_else(
                 || "(nothing)".to_owned(),
-                |s| if s.effect == h.effect && s.place == h.place { "itself".to_owned() } else if right(s, o, k) { format!("{} (same class)", s.effect) } else { format!("**{} on {}**", s.effect, s.place) },
+                |s| {
+                    if s.effect == h.effect && s.place == h.place {
+                        "itself".to_owned()
+                    } else if right(s, o, k) {
+                        format!("{} (same class)", s.effect)
+                    } else {
+                        format!("**{} on {}**", s.effect, s.place)
+                    }
+                },
             );
             *found.entry(&h.effect).or_default().entry(name).or_default() += 1;
         }

@@ -26,7 +26,8 @@ fn where_nothing_is_hidden_nothing_is_named() {
         let found = outcome(Hiding::Nothing, number);
         assert!(!found.failed, "{}", found.because);
         assert!(found.said.is_empty(), "no. {number}: {:?}", found.said);
-        assert_eq!(found.verdict, "no_gap", "no. {number}: {}", found.because);
+        // one run in twenty is screened by chance; then the test record must have the last word, as it has above
+        assert!(found.verdict == "no_gap" || found.screening_p < 0.05, "no. {number}: {} {}", found.verdict, found.because);
     }
 }
 

@@ -99,8 +99,9 @@ fn signal(kind: Excitation, band: (f64, f64), t: &[f64], chance: &mut Chance) ->
                 .collect()
         }
         Excitation::Sines => {
-            let sines: Vec<(f64, f64)> =
-                (0..8).map(|k| (band.0 * (band.1 / band.0).powf((f64::from(k) + chance.uniform()) / 8.0), TAU * chance.uniform())).collect();
+            let sines: Vec<(f64, f64)> = (0..8)
+                .map(|k| (band.0 * (band.1 / band.0).powf((f64::from(k) + chance.uniform()) / 8.0), TAU * chance.uniform()))
+                .collect();
             t.iter().map(|t| sines.iter().map(|(f, phase)| (TAU * f * t + phase).sin()).sum::<f64>() / 3.5).collect()
         }
         Excitation::Chirp => {
@@ -164,14 +165,25 @@ impl Experiment<'_> {
         let references: Vec<Vec<f64>> =
             (0..inputs).map(|_| signal(self.excitation, (self.band.0, 0.3 * self.band.1), &t, &mut chance)).collect();
         let mut pushes: Vec<Push> = (0..n)
-            .map(|i| Push { kind: self.pushes.0, sd: self.pushes.1[i], time: 0.05 * 20_f64.powf(chance.uniform()), x: [0.0; 2], until: 0.0 })
+            .map(|i| Push {
+                kind: self.pushes.0,
+                sd: self.pushes.1[i],
+                time: 0.05 * 20_f64.powf(chance.uniform()),
+                x: [0.0; 2],
+                until: 0.0,
+            })
             .collect();
         for push in &mut pushes {
             push.x[0] = chance.normal();
         }
 
         let mut motion = Motion::new(self.plant, self.start);
-        let mut out = Samples { y: vec![Vec::new(); n], u: vec![Vec::new(); inputs], range: [(f64::INFINITY, f64::NEG_INFINITY); MOST], ..Samples::default() };
+        let mut out = Samples {
+            y: vec![Vec::new(); n],
+            u: vec![Vec::new(); inputs],
+            range: [(f64::INFINITY, f64::NEG_INFINITY); MOST],
+            ..Samples::default()
+        };
         // what happened: for delays
         let mut seen: Vec<(f64, Row)> = vec![(0.0, self.start)];
         let mut acted = [0.0; MOST];

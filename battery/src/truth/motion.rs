@@ -171,7 +171,8 @@ impl<'a> Motion<'a> {
         let k2 = slope(&moved(&k1, 0.5 * h));
         let k3 = slope(&moved(&k2, 0.5 * h));
         let k4 = slope(&moved(&k3, h));
-        let mean = |f: fn(&State) -> &Row| -> Row { std::array::from_fn(|i| (f(&k1)[i] + 2.0 * f(&k2)[i] + 2.0 * f(&k3)[i] + f(&k4)[i]) / 6.0) };
+        let mean =
+            |f: fn(&State) -> &Row| -> Row { std::array::from_fn(|i| (f(&k1)[i] + 2.0 * f(&k2)[i] + 2.0 * f(&k3)[i] + f(&k4)[i]) / 6.0) };
         moved(&State { q: mean(|s| &s.q), v: mean(|s| &s.v), z: mean(|s| &s.z) }, h)
     }
 }
