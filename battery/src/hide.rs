@@ -53,7 +53,7 @@ pub fn sizes(effect: &str, detectable: &[f64], multiple: f64, chance: &mut Chanc
     let mut own: Vec<f64> = detectable.iter().map(|d| sign * multiple * d).collect();
     match effect {
         "periodic_torque" => {
-            let (s, c) = std::f64::consts::TAU.mul_add(chance.uniform(), 0.0).sin_cos();
+            let (s, c) = (std::f64::consts::TAU * chance.uniform()).sin_cos();
             own = vec![multiple * detectable[0] * s, multiple * detectable.get(1).copied().unwrap_or(0.0) * c];
         }
         // one of two parameters is the effect, the other its zero
