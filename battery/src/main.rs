@@ -1,0 +1,141 @@
+//! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME]`; `--table FILE ..` prints what
+//! files hold; `--examples FOLDER` writes the records of `examples/hidden`.
+
+use battery::rigs::Rig;
+use battery::rows::{ROWS, tasks};
+use battery::run::{Outcome, run};
+use battery::table::tables;
+use std::collections::BTreeSet;
+use std::io::Write;
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME]\n       battery --table FILE ..\n       battery --examples FOLDER";
+
+fn main() -> ExitCode {
+    match work(std::env::args().skip(1).collect()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+struct Arguments {
+    rows: Vec<&'static str>,
+    runs: u64,
+    out: Option<String>,
+    resume: bool,
+    threads: usize,
+    rigs: Vec<Rig>,
+    part: Option<String>,
+    table: Vec<String>,
+    examples: Option<String>,
+}
+
+fn arguments(given: Vec<String>) -> Result<Arguments, String> {
+    let mut own = Arguments {
+        rows: Vec::new(),
+        runs: 20,
+        out: None,
+        resume: false,
+        threads: 2,
+        rigs: Rig::ALL.to_vec(),
+        part: None,
+        table: Vec::new(),
+        examples: None,
+    };
+    let mut given = given.into_iter().peekable();
+    while let Some(word) = given.next() {
+        let mut value = || given.next().ok_or_else(|| format!("{word} needs a value\n{USAGE}"));
+        match word.as_str() {
+            "--row" => {
+                let name = value()?;
+                let known =
+                    ROWS.iter().find(|r| **r == name).ok_or_else(|| format!("there is no row `{name}`; rows are {}", ROWS.join(", ")))?;
+                own.rows.push(known);
+            }
+            "--runs" => own.runs = value()?.parse().map_err(|_| format!("--runs needs a number\n{USAGE}"))?,
+            "--threads" => own.threads = value()?.parse().map_err(|_| format!("--threads needs a number\n{USAGE}"))?,
+            "--out" => own.out = Some(value()?),
+            "--part" => own.part = Some(value()?),
+            "--rigs" => {
+                let list = value()?;
+                own.rigs = list
+                    .split(',')
+                    .map(|name| Rig::ALL.into_iter().find(|r| r.name() == name.trim()).ok_or_else(|| format!("there is no rig `{name}`")))
+                    .collect::<Result<_, _>>()?;
+            }
+            "--examples" => own.examples = Some(value()?),
+            "--resume" => own.resume = true,
+            "--table" => own.table = given.by_ref().collect(),
+            _ => return Err(format!("`{word}` is not known\n{USAGE}")),
+        }
+    }
+    Ok(own)
+}
+
+fn read(path: &str) -> Result<Vec<Outcome>, String> {
+    let text = std::fs::read_to_string(path).map_err(|e| format!("{path}: {e}"))?;
+    // a line that was cut off is made again
+    Ok(text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect())
+}
+
+fn work(given: Vec<String>) -> Result<(), String> {
+    let arguments = arguments(given)?;
+    if !arguments.table.is_empty() {
+        let mut all = Vec::new();
+        for path in &arguments.table {
+            all.extend(read(path)?);
+        }
+        println!("{}", tables(&all));
+        return Ok(());
+    }
+    if let Some(folder) = &arguments.examples {
+        for (name, text) in battery::examples::files() {
+            let path = std::path::Path::new(folder).join(name);
+            std::fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))?;
+        }
+        return Ok(());
+    }
+    let (Some(out), false) = (&arguments.out, arguments.rows.is_empty()) else { return Err(USAGE.to_owned()) };
+    let exists = std::path::Path::new(out).exists();
+    if exists && !arguments.resume {
+        return Err(format!("{out} is there already; --resume goes on with it"));
+    }
+    let before = if exists { read(out)? } else { Vec::new() };
+    let key = |row: &str, part: &str, rig: &str, number: u64| format!("{row}|{part}|{rig}|{number}");
+    let done: BTreeSet<String> = before.iter().map(|o| key(&o.row, &o.part, &o.rig, o.number)).collect();
+    let all: Vec<_> = arguments
+        .rows
+        .iter()
+        .flat_map(|row| tasks(row, arguments.runs, &arguments.rigs))
+        .filter(|t| arguments.part.as_ref().is_none_or(|p| t.part == *p))
+        .filter(|t| !done.contains(&key(t.row, &t.part, t.rig.name(), t.number)))
+        .collect();
+    let file = std::fs::OpenOptions::new().create(true).append(true).open(out).map_err(|e| format!("{out}: {e}"))?;
+    let (file, next, found) = (Mutex::new(file), AtomicUsize::new(0), Mutex::new(before));
+    let began = std::time::Instant::now();
+    std::thread::scope(|scope| {
+        for _ in 0..arguments.threads.max(1) {
+            scope.spawn(|| {
+                while let Some(task) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let Some(outcome) = run(task) else { continue };
+                    if let (Ok(line), Ok(mut file)) = (serde_json::to_string(&outcome), file.lock()) {
+                        let _ = writeln!(file, "{line}");
+                    }
+                    if let Ok(mut found) = found.lock() {
+                        found.push(outcome);
+                        if found.len() % 20 == 0 {
+                            eprintln!("{} runs, {:.0} s", found.len(), began.elapsed().as_secs_f64());
+                        }
+                    }
+                }
+            });
+        }
+    });
+    println!("{}", tables(&found.into_inner().map_err(|_| "a thread failed")?));
+    Ok(())
+}

@@ -1,0 +1,443 @@
+//! One run: a rig, an experiment, perhaps something hidden; the diagnosis; and what it says beside the truth.
+
+use crate::conditions::{Condition, Fault, experiment, spoil};
+use crate::hide::{Hidden, Moved, hide, hide_outside, sizes};
+use crate::rigs::{Bench, Rig};
+use crate::truth::chance::Chance;
+use crate::truth::experiment::{Excitation, Samples};
+use crate::truth::plant::Plant;
+use diagnose::effects::{Scales, catalogue};
+use diagnose::patch::Base;
+use diagnose::{Candidate, DiagnoseError, Diagnosis, Method, Options, Step, diagnose};
+use ident::fit::ParameterSpec;
+use ident::record::{Column, Record, Start};
+use serde::{Deserialize, Serialize};
+
+/// Samples of a training record; there are two.
+const TRAIN: usize = 1200;
+/// Samples of the test record.
+const TEST: usize = 1600;
+
+/// What is to be hidden.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hiding {
+    /// Nothing.
+    Nothing,
+    /// As many effects as this, each of another class, at a multiple of what shows.
+    Some(usize, f64),
+    /// This effect, wherever it can be, at a multiple of what shows.
+    This(&'static str, f64),
+    /// One of [`crate::hide::OUTSIDE`], at a multiple of the Coulomb friction that shows.
+    Outside(&'static str, f64),
+    /// An effect that is taken out of the catalogue then.
+    Decoy(f64),
+    /// A spring beside gravity, which small swings cannot tell from it.
+    Eaten(f64),
+}
+
+/// A run to be made.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// Row of the battery.
+    pub row: &'static str,
+    /// What of the row, in the table.
+    pub part: String,
+    /// Rig.
+    pub rig: Rig,
+    /// Experiment.
+    pub condition: Condition,
+    /// What is hidden.
+    pub hiding: Hiding,
+    /// Parts of the method that are left out.
+    pub method: Method,
+    /// Number within the part; with `stream` it is the seed.
+    pub number: u64,
+    /// Name of the stream of seeds: tasks that are to be compared have the same.
+    pub stream: String,
+}
+
+/// An effect that was said.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Said {
+    /// Effect.
+    pub effect: String,
+    /// Place.
+    pub place: String,
+    /// What it cannot be told from.
+    pub equivalent: Vec<(String, String)>,
+    /// Parameters: value and standard error.
+    pub values: Vec<(f64, f64)>,
+    /// Its class among the first candidates.
+    pub class: usize,
+    /// Its p-value.
+    pub p: f64,
+    /// Gain on the test record and half its interval.
+    pub gain: (f64, f64),
+}
+
+/// A line of the results.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Outcome {
+    /// Row.
+    pub row: String,
+    /// Part.
+    pub part: String,
+    /// Rig.
+    pub rig: String,
+    /// Number.
+    pub number: u64,
+    /// What was hidden.
+    pub hidden: Vec<Hidden>,
+    /// Verdict, or what went wrong.
+    pub verdict: String,
+    /// The program failed.
+    pub failed: bool,
+    /// Why.
+    pub because: String,
+    /// Smallest p-value of the first screening.
+    pub screening_p: f64,
+    /// Effects.
+    pub said: Vec<Said>,
+    /// The strongest identifiable candidate, and its class.
+    pub strongest: Option<(String, String, usize)>,
+    /// Class of each hidden effect among the first candidates; 0 where it is none of them.
+    pub truth_class: Vec<usize>,
+    /// Members of each hidden effect's class.
+    pub class_size: Vec<usize>,
+    /// Share of the gap that was closed, by signal.
+    pub shrink: Vec<(String, f64)>,
+    /// Error of the test record after over that before, mean over signals.
+    pub test_ratio: Option<f64>,
+    /// Seconds.
+    pub seconds: f64,
+}
+
+/// Families of effects that are screened: at most forty candidates at a time.
+fn families(rig: Rig, number: u64) -> Vec<&'static str> {
+    let first = [
+        "coulomb",
+        "quadratic_drag",
+        "asymmetric_friction",
+        "cubic_spring",
+        "constant_torque",
+        "input_delay",
+        "actuator_deadzone",
+        "gain_curvature",
+        "actuator_gain",
+        "actuator_bias",
+        "sensor_bias",
+        "sensor_scale",
+        "sensor_delay",
+    ];
+    let second = [
+        "coulomb",
+        "quadratic_drag",
+        "spring",
+        "stribeck",
+        "actuator_lag",
+        "actuator_saturation",
+        "actuator_drift",
+        "start_transient",
+        "input_coupling",
+        "sensor_drift",
+        "sensor_misalignment",
+        "base_tilt",
+    ];
+    let single = ["periodic_torque", "hard_stop", "gravity_offset", "added_mass"];
+    let flying =
+        ["coulomb", "quadratic_drag", "spring", "constant_torque", "velocity_product", "input_coupling", "actuator_lag", "sensor_drift"];
+    match rig {
+        Rig::Pendulum | Rig::Drive => first.into_iter().chain(second).chain(single).fold(Vec::new(), |mut all, id| {
+            if !all.contains(&id) {
+                all.push(id);
+            }
+            all
+        }),
+        Rig::Helicopter if number % 2 == 1 => flying.to_vec(),
+        Rig::Helicopter => first.into_iter().filter(|id| *id != "asymmetric_friction" && *id != "sensor_delay").collect(),
+        _ if number % 2 == 0 => first.to_vec(),
+        _ => second.into_iter().chain(["hard_stop", "gravity_offset"]).collect(),
+    }
+}
+
+/// Records of the fitting side.
+fn record(name: &str, samples: &Samples, rig: Rig) -> Record {
+    let (outputs, inputs) = rig.names();
+    let column = |name: &str, values: &Vec<f64>| Column { name: name.to_owned(), unit: None, values: values.clone() };
+    let columns = outputs.iter().zip(&samples.y).chain(inputs.iter().zip(&samples.u)).map(|(n, v)| column(n, v)).collect();
+    Record { source: name.to_owned(), t: samples.t.clone(), columns, declared: Vec::new(), start: Start::Free }
+}
+
+/// The rig as its user has it.
+fn base(rig: Rig) -> Result<Base, String> {
+    let files = [(format!("{}.rig", rig.name()), rig.text().to_owned())];
+    diagnose::patch::check(&files, rig.title()).map_err(|e| e.to_string())
+}
+
+/// Two training records and a test record with another excitation.
+#[must_use]
+pub fn experiments(bench: &Bench, plant: &Plant, condition: &Condition, seed: u64) -> Vec<Samples> {
+    let short = |n| if condition.fault == Some(Fault::Short) { 100 } else { n };
+    let kinds = [(Excitation::Steps, TRAIN), (Excitation::Sines, TRAIN), (Excitation::Chirp, TEST)];
+    let mut all = Vec::new();
+    for (k, (kind, samples)) in kinds.into_iter().enumerate() {
+        let mut plant = plant.clone();
+        if condition.fault == Some(Fault::OfTheDay) && k < 2 {
+            plant.joints[0].constant += 0.06 * bench.strong[0];
+        }
+        all.push(experiment(bench, &plant, condition, kind, short(samples), seed.wrapping_mul(7).wrapping_add(k as u64)));
+    }
+    all
+}
+
+struct Setting {
+    base: Base,
+    specs: Vec<ParameterSpec>,
+    bench: Bench,
+    seed: u64,
+}
+
+impl Setting {
+    /// Effects that the catalogue has for this rig, moved as it is.
+    fn known(&self, plant: &Plant, task: &Task) -> Vec<String> {
+        let condition = Condition { fault: None, ..task.condition };
+        let all = experiments(&self.bench, plant, &condition, self.seed);
+        let n = plant.mechanics.coordinates();
+        let range = (0..n)
+            .map(|i| all[..2].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, s| (r.0.min(s.range[i].0), r.1.max(s.range[i].1))))
+            .collect();
+        let rate = (0..n).map(|i| all[0].rate[i]).collect();
+        let duration = all[0].t.last().copied().unwrap_or(0.0);
+        let scales = Scales { range, rate, input: vec![(1.0, 1.0); task.rig.names().1.len()], duration };
+        catalogue(&self.base.rig, &scales).into_iter().map(|e| e.id).collect()
+    }
+
+    fn records(&self, task: &Task, plant: &Plant, chance: &mut Chance) -> (Vec<Record>, Moved) {
+        let mut all = experiments(&self.bench, plant, &task.condition, self.seed);
+        let first = &all[0];
+        let mut command = [0.0; 3];
+        for (j, u) in first.u.iter().enumerate() {
+            command[j] = u.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        }
+        let moved = Moved { rate: first.rate, range: first.range, command };
+        if let Some(fault) = task.condition.fault {
+            let other = match fault {
+                Fault::OtherRig => {
+                    let rig = if task.rig == Rig::Pendulum { Rig::DoublePendulum } else { Rig::Pendulum };
+                    let bench = rig.bench(self.seed);
+                    experiments(&bench, &bench.plant, &task.condition, self.seed + 1)
+                }
+                _ => experiments(&self.bench, plant, &task.condition, self.seed + 1),
+            };
+            spoil(&mut all, &other, fault, chance);
+        }
+        let names = ["steps", "sines", "chirp"];
+        (all.iter().zip(names).map(|(s, n)| record(n, s, task.rig)).collect(), moved)
+    }
+
+    fn diagnose(&self, records: &[Record], only: &[String], until: Step, method: Method) -> Result<Diagnosis, String> {
+        let ask = |only: Vec<String>| {
+            let options = Options { only, until, method, ..Options::default() };
+            diagnose(&self.base, &self.specs, &records[..2], &records[2..], &options)
+        };
+        let run = || {
+            let found = match ask(only.to_vec()) {
+                // ranges that the filter sees are not quite those that were
+                Err(DiagnoseError::UnknownEffect { known, .. }) => ask(only.iter().filter(|id| known.contains(id)).cloned().collect()),
+                found => found,
+            };
+            found.map_err(|e| e.to_string())
+        };
+        // a fault of the program is a result, too
+        std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).unwrap_or_else(|panic| {
+            let text = panic.downcast_ref::<String>().cloned().or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned()));
+            Err(format!("panic: {}", text.unwrap_or_default()))
+        })
+    }
+}
+
+/// Makes a run. `None` where there is nothing that could be hidden.
+#[must_use]
+pub fn run(task: &Task) -> Option<Outcome> {
+    let mut naming = Chance::new(task.number, &task.stream);
+    let seed = (naming.uniform() * 1e15) as u64;
+    let mut chance = Chance::new(seed, "hide");
+    let mut outcome = Outcome {
+        row: task.row.to_owned(),
+        part: task.part.clone(),
+        rig: task.rig.name().to_owned(),
+        number: task.number,
+        hidden: Vec::new(),
+        verdict: String::new(),
+        failed: false,
+        because: String::new(),
+        screening_p: 1.0,
+        said: Vec::new(),
+        strongest: None,
+        truth_class: Vec::new(),
+        class_size: Vec::new(),
+        shrink: Vec::new(),
+        test_ratio: None,
+        seconds: 0.0,
+    };
+    let fail = |mut outcome: Outcome, why: String| {
+        outcome.verdict = "failed".to_owned();
+        outcome.failed = true;
+        outcome.because = why;
+        Some(outcome)
+    };
+    let base = match base(task.rig) {
+        Ok(base) => base,
+        Err(why) => return fail(outcome, why),
+    };
+    let specs = ParameterSpec::of_rig(&base.rig);
+    let setting = Setting { base, specs, bench: task.rig.bench(seed), seed };
+    let mut plant = setting.bench.plant.clone();
+    // only what can act on this rig
+    let known = setting.known(&plant, task);
+    let mut only: Vec<String> = families(task.rig, task.number).into_iter().map(str::to_owned).filter(|id| known.contains(id)).collect();
+    if let Hiding::This(effect, _) = task.hiding
+        && !only.iter().any(|o| o == effect)
+    {
+        only.push(effect.to_owned());
+    }
+    if task.hiding != Hiding::Nothing {
+        let (records, moved) = setting.records(task, &plant, &mut chance);
+        let clean = match setting.diagnose(&records, &only, Step::Screen, Method::default()) {
+            Ok(clean) => clean,
+            Err(why) => return fail(outcome, format!("without the effect: {why}")),
+        };
+        outcome.hidden = choose(task, &clean.candidates, &mut plant, &moved, &mut chance)?;
+        if let Hiding::Decoy(_) = task.hiding {
+            only.retain(|id| outcome.hidden.iter().all(|h| h.effect != *id));
+        }
+    }
+    let (records, _) = setting.records(task, &plant, &mut chance);
+    let began = std::time::Instant::now();
+    let found = setting.diagnose(&records, &only, Step::Patch, task.method);
+    outcome.seconds = began.elapsed().as_secs_f64();
+    match found {
+        Ok(found) => {
+            fill(&mut outcome, &found);
+            Some(outcome)
+        }
+        Err(why) => fail(outcome, why),
+    }
+}
+
+/// What is hidden, and where.
+fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Moved, chance: &mut Chance) -> Option<Vec<Hidden>> {
+    let told: Vec<&Candidate> = candidates.iter().filter(|c| c.status != "not identifiable").collect();
+    let detectable = |c: &Candidate| c.minimal_detectable.iter().map(|m| m.1).collect::<Vec<f64>>();
+    let (count, multiple) = match task.hiding {
+        Hiding::Nothing => return Some(Vec::new()),
+        Hiding::Some(count, multiple) => (count, multiple),
+        Hiding::This(_, multiple) | Hiding::Decoy(multiple) | Hiding::Eaten(multiple) => (1, multiple),
+        Hiding::Outside(what, multiple) => {
+            let (coordinates, _) = task.rig.names();
+            let i = chance.index(coordinates.len());
+            // the force that shows least: the largest of the joint's own
+            let force =
+                told.iter().filter(|c| c.effect == "coulomb" && c.place == coordinates[i]).map(|c| detectable(c)[0]).fold(0.0, f64::max);
+            if force <= 0.0 {
+                return None;
+            }
+            hide_outside(plant, what, i, multiple * force, moved.rate[i])?;
+            let place = coordinates[i].to_owned();
+            return Some(vec![Hidden { effect: what.to_owned(), place, sizes: vec![multiple * force], multiple }]);
+        }
+    };
+    if let Hiding::Eaten(share) = task.hiding {
+        // as stiff as a share of gravity, in the last joint
+        let (coordinates, _) = task.rig.names();
+        let last = coordinates.len() - 1;
+        let (_, f) = plant.mechanics.equations(&std::array::from_fn(|i| if i == last { 0.01 } else { 0.0 }), &[0.0; 3], &[0.0; 3]);
+        let hidden = Hidden {
+            effect: "spring".to_owned(),
+            place: coordinates[last].to_owned(),
+            sizes: vec![share * f[last].abs() / 0.01, 0.0],
+            multiple: share,
+        };
+        hide(plant, task.rig, &hidden, moved)?;
+        return Some(vec![hidden]);
+    }
+    let mut chosen: Vec<(Hidden, usize)> = Vec::new();
+    // by effect first, so that effects with many places do not crowd out others
+    for _ in 0..60 {
+        if chosen.len() == count {
+            break;
+        }
+        let mut ids: Vec<&str> = told.iter().map(|c| c.effect.as_str()).collect();
+        ids.sort_unstable();
+        ids.dedup();
+        if let Hiding::This(effect, _) = task.hiding {
+            ids.retain(|id| *id == effect);
+        }
+        let id = *ids.get(chance.index(ids.len()))?;
+        let own: Vec<&&Candidate> = told.iter().filter(|c| c.effect == id).collect();
+        let c = own.get(chance.index(own.len()))?;
+        if chosen.iter().any(|(_, class)| *class == c.class) {
+            continue;
+        }
+        let detectable = detectable(c);
+        if detectable.is_empty() {
+            continue;
+        }
+        let hidden = Hidden { effect: c.effect.clone(), place: c.place.clone(), sizes: sizes(id, &detectable, multiple, chance), multiple };
+        let mut with = plant.clone();
+        if hide(&mut with, task.rig, &hidden, moved).is_some() {
+            *plant = with;
+            chosen.push((hidden, c.class));
+        }
+    }
+    (chosen.len() == count).then(|| chosen.into_iter().map(|(h, _)| h).collect())
+}
+
+fn fill(outcome: &mut Outcome, found: &Diagnosis) {
+    let class = |effect: &str, place: &str| found.candidates.iter().find(|c| c.effect == effect && c.place == place).map_or(0, |c| c.class);
+    found.verdict.id().clone_into(&mut outcome.verdict);
+    outcome.because.clone_from(&found.because);
+    outcome.screening_p = found.screening_p;
+    outcome.said = found
+        .findings
+        .iter()
+        .map(|f| Said {
+            effect: f.effect.clone(),
+            place: f.place.clone(),
+            equivalent: f.equivalent.clone(),
+            values: f.parameters.iter().map(|v| (v.value, v.sd)).collect(),
+            class: class(&f.effect, &f.place),
+            p: f.p_value,
+            gain: f.heldout_gain,
+        })
+        .collect();
+    outcome.strongest =
+        found.candidates.iter().find(|c| c.status != "not identifiable").map(|c| (c.effect.clone(), c.place.clone(), c.class));
+    outcome.truth_class = outcome.hidden.iter().map(|h| class(&h.effect, &h.place)).collect();
+    outcome.class_size = outcome
+        .truth_class
+        .iter()
+        .map(|k| {
+            let mut names: Vec<(&str, &str)> = found
+                .candidates
+                .iter()
+                .filter(|c| c.class == *k && c.status != "not identifiable")
+                .map(|c| (c.effect.as_str(), c.place.as_str()))
+                .collect();
+            names.sort_unstable();
+            names.dedup();
+            names.len()
+        })
+        .collect();
+    outcome.shrink.clone_from(&found.gap_shrink);
+    let ratios: Vec<f64> = found
+        .before
+        .test
+        .iter()
+        .zip(&found.after.test)
+        .filter_map(|(b, a)| Some((a.rmse?, b.rmse?)))
+        .filter(|(_, b)| *b > 0.0)
+        .map(|(a, b)| a / b)
+        .collect();
+    outcome.test_ratio = (!ratios.is_empty()).then(|| ratios.iter().sum::<f64>() / ratios.len() as f64);
+}
