@@ -43,8 +43,6 @@ pub struct Judged {
 const DIFFER: f64 = 0.01;
 /// Smallest share of the gap that an effect must close.
 const CLOSES: f64 = 0.10;
-/// A few candidates are tried on the same test records: the lower end of the gain's interval for one in a thousand, in half widths of 95 %.
-const SURE: f64 = 1.6;
 /// Squared errors that differ by less are equal.
 const EQUAL: f64 = 1.01;
 /// Samples over which gains are allowed to hang together.
@@ -90,8 +88,8 @@ pub fn judge(
         };
         found.push(mean_and_half_width(&gains, LAGS));
     }
-    let gain = if found[0].0 > SURE * found[0].1 { found[0] } else { found[1] };
-    if gain.0 - SURE * gain.1 <= 0.0 {
+    let gain = if found[0].0 > found[0].1 { found[0] } else { found[1] };
+    if gain.0 - gain.1 <= 0.0 {
         return refuse(format!("no gain on other records: {:.2e} +- {:.1e} nats/sample", gain.0, gain.1), gain);
     }
     let shrunk = shrink(&tried.prepared.model, &tried.fitted.mean(), &tried.fitted.found.noise, held, figures_before, &after);

@@ -1,10 +1,12 @@
 //! Fits of the base and of patched models, by innovations.
 
+use crate::answer::Figures;
+use crate::figures::{AHEAD, View, figures};
 use crate::model::{Included, Prepared, prepare};
 use crate::patch::Base;
 use crate::workflow::{DiagnoseError, Options};
 use ident::fit::minimize::Limits;
-use ident::fit::{FitError, FitOptions, ParameterSpec, identify};
+use ident::fit::{FitError, FitOptions, Loss, ParameterSpec, identify};
 use ident::innovations::{EstimateOptions, Estimated, Noise, Track, estimate, likelihood};
 use ident::record::Record;
 
@@ -40,12 +42,28 @@ fn still(noise: &mut Noise) {
     noise.sd.iter_mut().for_each(|s| *s = 0.0);
 }
 
-/// Fits the rig as it is: from its own values and from those of output error, whichever the records find likelier.
-pub fn fit_base(plain: &Prepared, train: &[Record], tracks: &mut [Track], options: &Options<'_>) -> Result<Fitted, DiagnoseError> {
+/// A fit by innovations that predicts this much worse than where it began has lost the rig.
+const LOST: f64 = 1.3;
+/// How far parameters may then go from there, as a prior.
+const NEAR: f64 = 0.1;
+
+/// Fits the rig as it is: from its own values and from those of output error, whichever the records find likelier. Comes with the
+/// parameters as they are to be treated from now on.
+///
+/// Likelihood alone can lose a rig whose model is far from it: heavier and heavier bodies, pushed by larger and larger random forces, until
+/// the inputs do nothing. Where the fit predicts worse than where it began, parameters stay near there.
+pub fn fit_base(
+    plain: &Prepared,
+    asked: &[ParameterSpec],
+    train: &[Record],
+    tracks: &mut [Track],
+    options: &Options<'_>,
+) -> Result<(Fitted, Vec<ParameterSpec>), DiagnoseError> {
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
     let mut starts = vec![vec![p0.clone(); tracks.len()]];
     if plain.specs.iter().any(|s| s.free) {
-        let fit = FitOptions { limits: Limits { evaluations: 40, ..Limits::default() }, hold: options.hold, ..FitOptions::default() };
+        let limits = Limits { evaluations: 40, ..Limits::default() };
+        let fit = FitOptions { limits, hold: options.hold, loss: Loss::Huber(1.345), ..FitOptions::default() };
         if let Ok(found) = identify(&plain.model, &plain.specs, train, &[], &fit) {
             starts.push(found.p_of_record);
         }
@@ -67,7 +85,34 @@ pub fn fit_base(plain: &Prepared, train: &[Record], tracks: &mut [Track], option
     }
     let Some(best) = best else { return Err(DiagnoseError::Fit(failed.unwrap_or(FitError::NoRecord))) };
     let found = estimate(&plain.model, &plain.specs, tracks, &best.p, best.noise, EstimateOptions::default())?;
-    Ok(Fitted { found, names: plain.specs.iter().map(|s| s.name.clone()).collect() })
+    let names: Vec<String> = plain.specs.iter().map(|s| s.name.clone()).collect();
+    let ahead = View { hold: options.hold, horizon: Some(AHEAD) };
+    let error = |p: &[Vec<f64>]| error(&figures(&plain.model, p, &p0, train, &[], ahead));
+    let nearest = starts.iter().map(|p| (error(p), p)).min_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((_, start)) = nearest.filter(|(least, _)| error(&found.p) > LOST * least) else {
+        return Ok((Fitted { found, names }, asked.to_vec()));
+    };
+    (options.progress)("  likelihood alone would lose the rig: parameters stay near those that predict best");
+    let near = |specs: &[ParameterSpec]| -> Vec<ParameterSpec> {
+        let mut specs = specs.to_vec();
+        for s in specs.iter_mut().filter(|s| s.free && s.prior_sd.is_none()) {
+            if let Some(k) = names.iter().position(|n| *n == s.name) {
+                let mean = start.iter().map(|p| p[k]).sum::<f64>() / start.len() as f64;
+                (s.prior_mean, s.prior_sd) = (mean, (mean != 0.0).then(|| NEAR * mean.abs()));
+            }
+        }
+        specs
+    };
+    let noise = Noise::guess(&plain.model, &p0, tracks, plain.entries.clone());
+    let found = estimate(&plain.model, &near(&plain.specs), tracks, start, noise, EstimateOptions::default())?;
+    let asked = near(asked);
+    Ok((Fitted { found, names }, asked))
+}
+
+/// Squared errors over all signals, each over its own size.
+fn error(figures: &Figures) -> f64 {
+    let each: Vec<f64> = figures.train.iter().filter_map(|f| f.fit_percent).map(|p| (1.0 - 0.01 * p).powi(2)).collect();
+    if each.is_empty() { f64::INFINITY } else { each.iter().sum() }
 }
 
 /// Fits a patched rig from where the search stands. Not `thorough`: the noise stays as it is.

@@ -18,9 +18,9 @@ pub struct View {
 }
 
 /// Seconds ahead where a free run says nothing.
-const AHEAD: f64 = 1.0;
+pub const AHEAD: f64 = 1.0;
 /// A free run that follows a signal less than this says nothing of what is missing [percent].
-const FOLLOWS: f64 = 30.0;
+const FOLLOWS: f64 = 60.0;
 
 /// Starts of predictions over a record.
 const MOST_STARTS: usize = 1500;

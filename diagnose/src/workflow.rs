@@ -200,7 +200,8 @@ pub fn diagnose(
         return Ok(answer);
     }
     tell("fitting the base ..");
-    let fitted = fit_base(&plain, train, &mut tracks, options)?;
+    let (fitted, asked) = fit_base(&plain, asked, train, &mut tracks, options)?;
+    let asked = &asked[..];
     answer.faults = strangers(&plain, &fitted.found.p, &p0, &fitted.found.noise, &tracks)?;
     if !answer.faults.is_empty() {
         answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
