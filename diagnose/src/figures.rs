@@ -31,11 +31,11 @@ fn wrapped(model: &dyn Model, p: &[f64]) -> Vec<String> {
     (0..model.dimensions().outputs).filter(wraps).map(|i| model.names().output(i).to_owned()).collect()
 }
 
-/// Free runs, unless the refitted base drifts off in one: an axis that integrates has no free run that says anything of its forces.
+/// Free runs, unless an axis integrates or the refitted base drifts off: then predictions.
 #[must_use]
-pub fn view(free: &Figures, hold: Hold) -> View {
+pub fn view(free: &Figures, integrates: bool, hold: Hold) -> View {
     let lost = free.train.iter().chain(&free.test).any(|f| f.horizon.is_none() && f.fit_percent.is_some_and(|p| p < FOLLOWS));
-    View { hold, horizon: lost.then_some(AHEAD) }
+    View { hold, horizon: (lost || integrates).then_some(AHEAD) }
 }
 
 /// Figures of a model with parameters of its training records, and `p` for the test records.

@@ -139,6 +139,22 @@ const RATE: f64 = 100.0;
 /// Samples that the fastest mode of the model keeps in each of its periods.
 const PER_PERIOD: f64 = 30.0;
 
+/// Poles of the model at rest without inputs; none where it has none there.
+fn poles(prepared: &Prepared, p: &[f64]) -> Vec<nalgebra::Complex<f64>> {
+    let d = prepared.model.dimensions();
+    let n = d.states();
+    let (mut dx, mut a, mut b) = (vec![0.0; n], vec![0.0; n * n], vec![0.0; n * d.signals()]);
+    if prepared.model.linearize(0.0, &vec![0.0; n], &vec![0.0; d.signals()], p, &mut dx, &mut a, &mut b).is_err() {
+        return Vec::new();
+    }
+    nalgebra::DMatrix::from_row_slice(n, n, &a).complex_eigenvalues().iter().copied().collect()
+}
+
+/// An axis integrates: a free run over `duration` [s] gathers whatever force is left and says nothing of any one.
+pub fn integrates(prepared: &Prepared, p: &[f64], duration: f64) -> bool {
+    poles(prepared, p).iter().any(|pole| pole.norm() * duration < 1.0)
+}
+
 /// How many samples are averaged into one: filters look one sample ahead, and a record at 1 kHz would ask them about vibrations that no rigid
 /// body has. Inputs and outputs are averaged alike, so that what relates them stays.
 pub fn stride(prepared: &Prepared, p: &[f64], records: &[Record]) -> usize {
@@ -146,16 +162,7 @@ pub fn stride(prepared: &Prepared, p: &[f64], records: &[Record]) -> usize {
     if period <= 0.0 {
         return 1;
     }
-    let d = prepared.model.dimensions();
-    let n = d.states();
-    let (mut dx, mut a, mut b) = (vec![0.0; n], vec![0.0; n * n], vec![0.0; n * d.signals()]);
-    let at_rest = prepared.model.linearize(0.0, &vec![0.0; n], &vec![0.0; d.signals()], p, &mut dx, &mut a, &mut b).is_ok();
-    let fastest = if at_rest {
-        let poles = nalgebra::DMatrix::from_row_slice(n, n, &a).complex_eigenvalues();
-        poles.iter().map(|p| p.im.abs()).fold(0.0, f64::max) / std::f64::consts::TAU
-    } else {
-        0.0
-    };
+    let fastest = poles(prepared, p).iter().map(|p| p.im.abs()).fold(0.0, f64::max) / std::f64::consts::TAU;
     let wanted = RATE.max(PER_PERIOD * fastest);
     ((1.0 / (period * wanted) + 1e-6).floor() as usize).max(1)
 }

@@ -11,7 +11,7 @@ use crate::figures::{View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Included, Prepared, prepare};
 use crate::patch::{Base, PatchError, Written, check, compose, digits};
-use crate::quality::{averaged, look, mended, mistaken, strangers, stride};
+use crate::quality::{averaged, integrates, look, mended, mistaken, strangers, stride};
 use crate::screen::{SAME, Score, ScreenOptions, Seen, UNIQUE, cosine, screen};
 use crate::shapes::unnamed;
 use ident::fit::{FitError, ParameterSpec};
@@ -211,7 +211,8 @@ pub fn diagnose(
     }
     let mut seen = View { hold: options.hold, horizon: None };
     answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
-    seen = view(&answer.before, options.hold);
+    let longest = train.iter().map(Record::duration).fold(0.0, f64::max);
+    seen = view(&answer.before, integrates(&plain, &fitted.mean(), longest), options.hold);
     if seen.horizon.is_some() {
         answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
     }
