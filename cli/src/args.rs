@@ -44,6 +44,8 @@ pub enum Command {
     Identify(Identify),
     /// Find where simulation and record disagree, name the missing effect, and show the gap shrink.
     Diagnose(Diagnose),
+    /// The fewest combinations of parameters that the equations depend on, and relations between lumps.
+    BaseParameters(BaseParameters),
     /// The whole chain on a rig and a record that the program carries with it.
     Demo(Demo),
 }
@@ -440,4 +442,18 @@ pub struct Diagnose {
     /// What logged inputs do between samples.
     #[arg(long, value_enum, default_value = "zero")]
     pub hold: Hold,
+}
+
+/// `rig base-parameters`.
+#[derive(Args)]
+pub struct BaseParameters {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Parameters that count as known when relations are looked for (default: constants, and lengths marked as fixed).
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub known: Option<Vec<String>>,
+    /// Seed of the random states.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
 }

@@ -12,11 +12,13 @@ mod equations;
 pub mod expr;
 mod lower;
 mod mechanics;
+mod numbers;
 mod operating;
 mod regressor;
 
 pub use derive::{DeriveError, Options, derive};
 pub use equations::{CrossCheck, Equations, Layout, Linear, OutputVariable, Variable};
 pub use lower::Lumps;
+pub use numbers::{Definitions, Numbers, definitions};
 pub use operating::{Direction, OperatingPoint, direction_by_name, operating_points};
 pub use regressor::{Column, Regressor, regressor};

@@ -1,5 +1,6 @@
 //! One file a subcommand.
 
+mod base_parameters;
 mod check;
 mod compare;
 mod demo;
@@ -23,6 +24,7 @@ use codegen::{CrossCheck, Equations};
 /// Runs what was asked for.
 pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
     match arguments.command {
+        Command::BaseParameters(a) => base_parameters::run(&a),
         Command::Check(a) => check::run(&a),
         Command::Show(a) => show::run(&a),
         Command::Eval(a) => eval::run(&a),
