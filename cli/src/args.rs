@@ -46,6 +46,8 @@ pub enum Command {
     Diagnose(Diagnose),
     /// The fewest combinations of parameters that the equations depend on, and relations between lumps.
     BaseParameters(BaseParameters),
+    /// Keep equations, operation counts and linear models beside a rig, and show what a change did.
+    Snapshot(Snapshot),
     /// The whole chain on a rig and a record that the program carries with it.
     Demo(Demo),
 }
@@ -456,4 +458,21 @@ pub struct BaseParameters {
     /// Seed of the random states.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
+}
+
+/// `rig snapshot`.
+#[derive(Args)]
+pub struct Snapshot {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Write nothing; show what changed since the snapshot, and fail if anything did.
+    #[arg(long)]
+    pub check: bool,
+    /// The snapshot's file (default: beside the rig, with the ending `.snapshot.txt`).
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Overwrite a file that this program did not write.
+    #[arg(long)]
+    pub force: bool,
 }

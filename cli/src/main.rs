@@ -7,6 +7,7 @@ mod load;
 mod operating;
 mod output;
 mod point;
+mod snapshot;
 mod write;
 
 use clap::Parser;

@@ -22,7 +22,9 @@ pub fn answer(answer: &Answer, json: bool) {
 /// Prints a failure.
 pub fn failure(failure: &Failure, json: bool) {
     if json {
-        let _ = writeln!(std::io::stdout().lock(), "{:#}", json!({"diagnostics": failure.diagnostics}));
+        let mut document = json!({"diagnostics": failure.diagnostics});
+        failure.fields.iter().for_each(|(name, value)| document[*name] = value.clone());
+        let _ = writeln!(std::io::stdout().lock(), "{document:#}");
     } else {
         let _ = writeln!(std::io::stderr().lock(), "{}", failure.text.trim_end());
     }

@@ -10,10 +10,11 @@ mod eval;
 mod export;
 mod generate;
 mod identify;
-mod linearize;
+pub mod linearize;
 mod lqr;
 mod show;
 mod simulate;
+mod snapshot;
 mod trim;
 
 use crate::args::{Arguments, Command};
@@ -37,6 +38,7 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Linearize(a) => linearize::run(&a),
         Command::Identify(a) => identify::run(&a),
         Command::Lqr(a) => lqr::run(&a),
+        Command::Snapshot(a) => snapshot::run(&a),
         Command::Simulate(a) => simulate::run(&a),
         Command::Compare(a) => compare::run(&a),
     }
