@@ -46,6 +46,8 @@ pub enum Command {
     Diagnose(Diagnose),
     /// The fewest combinations of parameters that the equations depend on, and relations between lumps.
     BaseParameters(BaseParameters),
+    /// Draw the tree of frames and bodies at a pose, as SVG.
+    Draw(Draw),
     /// Keep equations, operation counts and linear models beside a rig, and show what a change did.
     Snapshot(Snapshot),
     /// The whole chain on a rig and a record that the program carries with it.
@@ -471,6 +473,23 @@ pub struct Snapshot {
     pub check: bool,
     /// The snapshot's file (default: beside the rig, with the ending `.snapshot.txt`).
     #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Overwrite a file that this program did not write.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig draw`.
+#[derive(Args)]
+pub struct Draw {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Pose (default: every joint somewhat moved, so that it can be seen).
+    #[command(flatten)]
+    pub point: Point,
+    /// The picture (default: beside the rig, with the ending `.svg`).
+    #[arg(long, value_name = "SVG")]
     pub out: Option<PathBuf>,
     /// Overwrite a file that this program did not write.
     #[arg(long)]

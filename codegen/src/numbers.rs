@@ -1,8 +1,8 @@
 //! Values of a checked rig's expressions at a pose: what drawings and checks of single bodies need.
 //!
-//! Evaluates; derives nothing. Rates, signals and time are zero.
+//! Evaluates; derives nothing. Rates and time are zero, signals and actuator states all have one chosen value.
 
-use crate::expr::{Graph, SymbolId};
+use crate::expr::{Graph, SymbolId, SymbolKind};
 use crate::lower::{Lowering, Lumps};
 use model_dsl::rig::{Expr, Rig};
 use rustc_hash::FxHashMap;
@@ -12,6 +12,8 @@ pub struct Numbers {
     graph: Graph,
     lowering: Lowering,
     parameters: FxHashMap<SymbolId, f64>,
+    /// Value of every signal and actuator state: 0, or 1 where the direction of a force is asked for.
+    pub signals: f64,
 }
 
 impl Numbers {
@@ -21,15 +23,29 @@ impl Numbers {
         let mut graph = Graph::new();
         let lowering = Lowering::new(rig, lumps, true, &mut graph);
         let parameters = lowering.p.iter().copied().zip(rig.parameters.iter().map(|p| p.value)).collect();
-        Self { graph, lowering, parameters }
+        Self { graph, lowering, parameters, signals: 0.0 }
+    }
+
+    /// Slope of an expression along a coordinate at `q`; expressions of frames are affine, so it is the same everywhere.
+    #[must_use]
+    pub fn slope(&mut self, expr: &Expr, coordinate: usize, q: &[f64]) -> f64 {
+        let mut moved = q.to_vec();
+        if let Some(x) = moved.get_mut(coordinate) {
+            *x += 1.0;
+        }
+        self.value(expr, &moved) - self.value(expr, q)
     }
 
     /// Value of an expression at coordinates `q` [rad, m]; coordinates that are not given are zero.
     #[must_use]
     pub fn value(&mut self, expr: &Expr, q: &[f64]) -> f64 {
         let id = self.lowering.expr(&mut self.graph, expr);
-        let coordinate = |s| self.lowering.q.iter().position(|&c| c == s).and_then(|i| q.get(i)).copied();
-        self.graph.evaluate(&[id], |s| self.parameters.get(&s).copied().or_else(|| coordinate(s)).unwrap_or(0.0))[0]
+        self.graph.evaluate(&[id], |s| match self.graph.symbol_info(s).kind {
+            SymbolKind::Parameter(_) => self.parameters.get(&s).copied().unwrap_or(0.0),
+            SymbolKind::Coordinate(i) => q.get(i).copied().unwrap_or(0.0),
+            SymbolKind::Signal(_) | SymbolKind::Lag(_) => self.signals,
+            _ => 0.0,
+        })[0]
     }
 }
 

@@ -6,6 +6,7 @@ mod compare;
 mod demo;
 mod diagnose;
 mod diff;
+mod draw;
 mod eval;
 mod export;
 mod generate;
@@ -28,6 +29,7 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::BaseParameters(a) => base_parameters::run(&a),
         Command::Check(a) => check::run(&a),
         Command::Show(a) => show::run(&a),
+        Command::Draw(a) => draw::run(&a),
         Command::Eval(a) => eval::run(&a),
         Command::Diff(a) => diff::run(&a),
         Command::Diagnose(a) => diagnose::run(&a),
