@@ -76,8 +76,11 @@ pub fn poles_in_words(poles: &[nalgebra::Complex<f64>]) -> String {
 /// A matrix with named rows and columns, a bar before column `bar`.
 pub fn table(columns: &[String], rows: &[(String, Vec<f64>)], bar: usize) -> String {
     let mut cells: Vec<Vec<String>> = vec![std::iter::once(String::new()).chain(columns.iter().cloned()).collect()];
+    // an entry that is rounding of the others is none
+    let largest = rows.iter().flat_map(|r| &r.1).fold(0.0_f64, |m, x| m.max(x.abs()));
+    let settled = |x: f64| if x.abs() < 1e-15 * largest { 0.0 } else { x };
     for (name, values) in rows {
-        cells.push(std::iter::once(name.clone()).chain(values.iter().map(|x| entry(*x))).collect());
+        cells.push(std::iter::once(name.clone()).chain(values.iter().map(|x| entry(settled(*x)))).collect());
     }
     let widths: Vec<usize> =
         (0..=columns.len()).map(|c| cells.iter().filter_map(|r| r.get(c)).map(|cell| cell.chars().count()).max().unwrap_or(0)).collect();

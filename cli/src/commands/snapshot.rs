@@ -58,10 +58,25 @@ fn words(source: &str, all: &[Change]) -> String {
             section = &c.section;
             let _ = write!(out, "\n{section}\n");
         }
+        if let ([was], [is]) = (c.was.as_slice(), c.is.as_slice())
+            && let Some(line) = arrow(was, is)
+        {
+            let _ = writeln!(out, "  {line}");
+            continue;
+        }
         for (sign, line) in c.was.iter().map(|l| ('-', l)).chain(c.is.iter().map(|l| ('+', l))) {
             let _ = writeln!(out, "  {sign} {}", line.trim_start());
         }
     }
     out.push('\n');
     out
+}
+
+/// `eps'' by eps': -0.0512 -> -0.1313` where both lines name the same value.
+fn arrow(was: &str, is: &str) -> Option<String> {
+    [": ", " = "].iter().find_map(|mark| {
+        let ((name, old), (other, new)) = (was.split_once(mark)?, is.split_once(mark)?);
+        let plain = |s: &str| s.split_whitespace().next().is_some_and(|w| w.parse::<f64>().is_ok()) && !s.contains(',');
+        (name == other && plain(old) && plain(new)).then(|| format!("{name}{mark}{old} -> {new}"))
+    })
 }
