@@ -45,17 +45,19 @@ impl Svg {
         let _ = writeln!(
             self.body,
             r#"<polygon class="{class}" points="{},{} {},{} {},{}"/>"#,
-            n(tip.0), n(tip.1), n(a.0), n(a.1), n(b.0), n(b.1)
+            n(tip.0),
+            n(tip.1),
+            n(a.0),
+            n(a.1),
+            n(b.0),
+            n(b.1)
         );
     }
 
     /// Text; `anchor` is start, middle or end.
     pub fn text(&mut self, class: &str, anchor: &str, at: (f64, f64), text: &str) {
-        let _ = writeln!(
-            self.body,
-            r#"<text class="{class}" text-anchor="{anchor}" x="{}" y="{}">{}</text>"#,
-            n(at.0), n(at.1), escaped(text)
-        );
+        let _ =
+            writeln!(self.body, r#"<text class="{class}" text-anchor="{anchor}" x="{}" y="{}">{}</text>"#, n(at.0), n(at.1), escaped(text));
     }
 
     /// The file; `source` is named in its first lines.

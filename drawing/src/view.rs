@@ -58,11 +58,7 @@ pub fn views(pose: &Pose) -> Vec<View> {
         (false, false, false) => {
             let (s, c) = 30_f64.to_radians().sin_cos();
             let (down, level) = 25_f64.to_radians().sin_cos();
-            let slanted = View {
-                title: "aslant",
-                right: Vector3::new(c, s, 0.0),
-                up: Vector3::new(-s * down, c * down, level),
-            };
+            let slanted = View { title: "aslant", right: Vector3::new(c, s, 0.0), up: Vector3::new(-s * down, c * down, level) };
             vec![slanted, front, above]
         }
     }

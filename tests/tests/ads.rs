@@ -193,8 +193,8 @@ fn a_slow_sweep_changes_trim_and_inertia_by_the_closed_form() {
         let m = e.graph.evaluate(&roots, value);
         (m[0], m[layout.q.len() + 1])
     };
-    // from end to end in 480 s, the voltage held at what balances the arm in the middle
-    let (from, to, seconds) = (-0.12, 0.12, 480.0);
+    // from end to end in 240 s, the voltage held at what balances the arm in the middle
+    let (from, to, seconds) = (-0.12, 0.12, 240.0);
     let volts = 0.5 * g * moment(0.0) / (k_f * l_a);
     let level = |s: f64| {
         // A cos e + B sin e = F, the stable one of two solutions
@@ -206,7 +206,7 @@ fn a_slow_sweep_changes_trim_and_inertia_by_the_closed_form() {
     let n = model.dimensions().states();
     let mut x0 = vec![0.0; n];
     (x0[1], x0[3], x0[n - 1]) = (level(from), from, speed);
-    let times: Vec<f64> = (0..=480).map(f64::from).collect();
+    let times: Vec<f64> = (0..=240).map(f64::from).collect();
     let signals = Signals::constant(&[volts, volts, 0.0]).expect("signals");
     let run = simulate(&model, &nominal(&model), &x0, &signals, &times, &sim::Options::default()).expect("runs");
     assert_eq!(run.status, Status::Completed);
@@ -215,7 +215,9 @@ fn a_slow_sweep_changes_trim_and_inertia_by_the_closed_form() {
         let x = run.state(k);
         let (elevation, pitch, s) = (x[1], x[2], x[3]);
         let planned = from + speed * times[k];
-        assert!(pitch.abs() < 1e-12 && (s - planned).abs() < 1e-8, "pitch {pitch:e}, s {s} for {planned}");
+        // below level with thrust downwards pitch and travel have an unstable pole, up to 0.29 1/s: what rounding makes of
+        // pitch grows, and enters the inertias with its square
+        assert!(pitch.abs() < 1e-6 && (s - planned).abs() < 1e-8, "pitch {pitch:e}, s {s} for {planned}");
         lag = lag.max((elevation - level(s)).abs());
         let (sin, cos) = elevation.sin_cos();
         let r = |along: f64| along * cos + d * sin;
