@@ -54,6 +54,12 @@ pub enum Command {
     Identify(Identify),
     /// Find where simulation and record disagree, name the missing effect, and show the gap shrink.
     Diagnose(Diagnose),
+    /// The fewest combinations of parameters that the equations depend on, and relations between lumps.
+    BaseParameters(BaseParameters),
+    /// Draw the tree of frames and bodies at a pose, as SVG.
+    Draw(Draw),
+    /// Keep equations, operation counts and linear models beside a rig, and show what a change did.
+    Snapshot(Snapshot),
     /// The whole chain on a rig and a record that the program carries with it.
     Demo(Demo),
 }
@@ -610,4 +616,52 @@ pub struct FitMap {
     /// Evaluate the inverse at these ordinates.
     #[arg(long, value_delimiter = ',', value_name = "Y1,Y2", allow_hyphen_values = true)]
     pub invert: Vec<f64>,
+}
+
+/// `rig base-parameters`.
+#[derive(Args)]
+pub struct BaseParameters {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Parameters that count as known when relations are looked for (default: constants, and lengths marked as fixed).
+    #[arg(long, value_delimiter = ',', value_name = "A,B")]
+    pub known: Option<Vec<String>>,
+    /// Seed of the random states.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+}
+
+/// `rig snapshot`.
+#[derive(Args)]
+pub struct Snapshot {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Write nothing; show what changed since the snapshot, and fail if anything did.
+    #[arg(long)]
+    pub check: bool,
+    /// The snapshot's file (default: beside the rig, with the ending `.snapshot.txt`).
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Overwrite a file that this program did not write.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `rig draw`.
+#[derive(Args)]
+pub struct Draw {
+    /// Rig.
+    #[command(flatten)]
+    pub rig: File,
+    /// Pose (default: every joint somewhat moved, so that it can be seen).
+    #[command(flatten)]
+    pub point: Point,
+    /// The picture (default: beside the rig, with the ending `.svg`).
+    #[arg(long, value_name = "SVG")]
+    pub out: Option<PathBuf>,
+    /// Overwrite a file that this program did not write.
+    #[arg(long)]
+    pub force: bool,
 }

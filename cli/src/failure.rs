@@ -9,6 +9,8 @@ pub struct Failure {
     pub text: String,
     /// For `diagnostics` of the JSON document.
     pub diagnostics: Vec<Value>,
+    /// Further fields of the JSON document.
+    pub fields: Vec<(&'static str, Value)>,
 }
 
 impl Failure {
@@ -18,6 +20,7 @@ impl Failure {
         Self {
             text: format!("error[{code}]: {message}"),
             diagnostics: vec![json!({"code": code, "severity": "error", "message": message, "line": null, "column": null})],
+            fields: Vec::new(),
         }
     }
 
@@ -30,6 +33,6 @@ impl Failure {
 
     /// The diagnostics of a rig that did not pass its checks.
     pub fn from_check(checked: &Checked, color: bool) -> Self {
-        Self { text: crate::load::rendered(checked, color), diagnostics: crate::load::diagnostics_json(checked) }
+        Self { text: crate::load::rendered(checked, color), diagnostics: crate::load::diagnostics_json(checked), fields: Vec::new() }
     }
 }

@@ -8,6 +8,7 @@ mod operating;
 mod output;
 mod point;
 mod scenario;
+mod snapshot;
 mod sweep;
 mod workspace;
 mod write;

@@ -22,7 +22,9 @@ pub fn answer(answer: &Answer, json: bool) {
 /// Prints a failure.
 pub fn failure(failure: &Failure, json: bool) {
     if json {
-        let _ = writeln!(std::io::stdout().lock(), "{:#}", json!({"diagnostics": failure.diagnostics}));
+        let mut document = json!({"diagnostics": failure.diagnostics});
+        failure.fields.iter().for_each(|(name, value)| document[*name] = value.clone());
+        let _ = writeln!(std::io::stdout().lock(), "{document:#}");
     } else {
         let _ = writeln!(std::io::stderr().lock(), "{}", failure.text.trim_end());
     }
@@ -74,8 +76,11 @@ pub fn poles_in_words(poles: &[nalgebra::Complex<f64>]) -> String {
 /// A matrix with named rows and columns, a bar before column `bar`.
 pub fn table(columns: &[String], rows: &[(String, Vec<f64>)], bar: usize) -> String {
     let mut cells: Vec<Vec<String>> = vec![std::iter::once(String::new()).chain(columns.iter().cloned()).collect()];
+    // an entry that is rounding of the others is none
+    let largest = rows.iter().flat_map(|r| &r.1).fold(0.0_f64, |m, x| m.max(x.abs()));
+    let settled = |x: f64| if x.abs() < 1e-15 * largest { 0.0 } else { x };
     for (name, values) in rows {
-        cells.push(std::iter::once(name.clone()).chain(values.iter().map(|x| entry(*x))).collect());
+        cells.push(std::iter::once(name.clone()).chain(values.iter().map(|x| entry(settled(*x)))).collect());
     }
     let widths: Vec<usize> =
         (0..=columns.len()).map(|c| cells.iter().filter_map(|r| r.get(c)).map(|cell| cell.chars().count()).max().unwrap_or(0)).collect();

@@ -33,12 +33,18 @@ pub struct Regressor {
     pub v: Vec<SymbolId>,
     /// Accelerations.
     pub a: Vec<SymbolId>,
+    /// Signals.
+    pub u: Vec<SymbolId>,
+    /// Actuator states.
+    pub z: Vec<SymbolId>,
     /// Columns with a structurally non-zero entry.
     pub columns: Vec<Column>,
     /// The part of ID that is in no column (known forces, terms that are not affine).
     pub rest: Vec<Id>,
     /// Parameters in which ID is not affine.
     pub not_affine: Vec<String>,
+    /// Entries of links' masses, first moments and inertias that are in no equation.
+    pub dead: Vec<String>,
 }
 
 /// Regressor of a rig with bodies; `None` for equations written directly. Assumptions other than `set`
@@ -114,11 +120,11 @@ pub fn regressor(rig: &Rig, lumps: Lumps) -> Option<Regressor> {
     let y = g.jacobian(&total, &symbols, Derivative::Exact);
     let zero = g.zero();
     let rest = g.substitute(&total, |s| symbols.contains(&s).then_some(zero));
-    let columns = columns
+    let (columns, dead): (Vec<Column>, Vec<Column>) = columns
         .into_iter()
         .enumerate()
         .map(|(j, (name, value, _))| Column { name, value, entries: y.iter().map(|row| row[j]).collect() })
-        .filter(|c| c.entries.iter().any(|&e| !g.is_zero(e)))
-        .collect();
-    Some(Regressor { q: lowering.q, v: lowering.v, a: lowering.a, columns, rest, not_affine, graph })
+        .partition(|c| c.entries.iter().any(|&e| !g.is_zero(e)));
+    let dead = dead.into_iter().map(|c| c.name).collect();
+    Some(Regressor { q: lowering.q, v: lowering.v, a: lowering.a, u: lowering.u, z: lowering.z, columns, rest, not_affine, dead, graph })
 }

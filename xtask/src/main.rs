@@ -1,6 +1,7 @@
-//! Maintenance of the project: `cargo xtask gen [--check]`, `witness`, `oracle [--check | --riccati] [--python PROGRAM]`.
+//! Maintenance of the project: `cargo xtask gen [--check]`, `gallery [--check]`, `witness`, `oracle [--check | --riccati] [--python PROGRAM]`.
 //! One file a task; each says what it did, or what is wrong and how to mend it.
 
+mod gallery;
 mod gen_models;
 mod named_calls;
 mod oracle;
@@ -14,9 +15,10 @@ fn main() -> ExitCode {
     let rest = arguments.get(1..).unwrap_or(&[]);
     let result = match arguments.first().map(String::as_str) {
         Some("gen") => gen_models::run(rest),
+        Some("gallery") => gallery::run(rest),
         Some("witness") => witness::run(rest),
         Some("oracle") => oracle::run(rest),
-        _ => Err("usage: cargo xtask gen [--check] | witness | oracle [--check | --riccati] [--python PROGRAM]".to_owned()),
+        _ => Err("usage: cargo xtask gen [--check] | gallery [--check] | witness | oracle [--check | --riccati] [--python PROGRAM]".to_owned()),
     };
     match result {
         Ok(said) => {

@@ -1,11 +1,13 @@
 //! One file a subcommand.
 
+mod base_parameters;
 mod check;
 mod closed_loop;
 mod compare;
 mod demo;
 mod diagnose;
 mod diff;
+mod draw;
 mod equation_error;
 mod eval;
 mod excite;
@@ -19,6 +21,7 @@ mod new;
 mod preflight;
 mod show;
 mod simulate;
+mod snapshot;
 mod trim;
 
 use crate::args::{Arguments, Command};
@@ -29,8 +32,10 @@ use codegen::{CrossCheck, Equations};
 /// Runs what was asked for.
 pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
     match arguments.command {
+        Command::BaseParameters(a) => base_parameters::run(&a),
         Command::Check(a) => check::run(&a),
         Command::Show(a) => show::run(&a),
+        Command::Draw(a) => draw::run(&a),
         Command::Eval(a) => eval::run(&a),
         Command::Diff(a) => diff::run(&a),
         Command::Diagnose(a) => diagnose::run(&a),
@@ -41,6 +46,7 @@ pub fn run(arguments: Arguments) -> Result<Answer, Failure> {
         Command::Linearize(a) => linearize::run(&a),
         Command::Identify(a) => identify::run(&a),
         Command::Lqr(a) => lqr::run(&a),
+        Command::Snapshot(a) => snapshot::run(&a),
         Command::Simulate(a) => simulate::run(&a),
         Command::ClosedLoop(a) => closed_loop::run(&a),
         Command::Compare(a) => compare::run(&a),

@@ -14,14 +14,17 @@ mod screen;
 mod sheet;
 mod shorten;
 mod text;
+mod torque_form;
 mod tree;
 
 #[cfg(test)]
 mod tests;
 
 pub use difference::{Diff, DiffTerm, diff};
+pub use torque_form::{TorqueForm, torque_form};
 
 use crate::equations::Equations;
+use crate::expr::{Graph, Id};
 use entries::entries;
 use model_dsl::rig::{Expr, Rig};
 use tree::Tree;
@@ -45,6 +48,15 @@ pub struct Strings {
 #[must_use]
 pub fn plain(rig: &Rig, expr: &Expr) -> String {
     text::text(&Tree::of_expr(rig, expr))
+}
+
+/// Text of a value on a graph over the rig's names, multiplied out and cancelled; `None` where it is too long for that.
+#[must_use]
+pub fn value(rig: &Rig, graph: &Graph, id: Id) -> Option<String> {
+    let mut forms = form::Forms::new();
+    read::register(rig, &mut forms);
+    let sum = read::Reader::new(rig, graph).read(&mut forms, &[id]).pop().flatten()?;
+    Some(text::text(&arrange::written(&mut forms, &arrange::Knowledge::default(), &sum)))
 }
 
 /// The quantities of a model as text.
