@@ -6,6 +6,7 @@ mod failure;
 mod load;
 mod operating;
 mod output;
+mod pages;
 mod point;
 mod scenario;
 mod sweep;

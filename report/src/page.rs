@@ -97,7 +97,7 @@ impl Page {
     #[must_use]
     pub fn html(&self) -> String {
         // two hyphens would end the comment
-        let mark = self.mark.replace('\n', " ").replace("--", "- -").replace('>', " ");
+        let mark = self.mark.replace('\n', " ").replace("--", "- -").replace(['<', '>'], " ");
         let page = html! {
             (DOCTYPE)
             (PreEscaped(format!("\n<!-- {mark} -->\n")))
