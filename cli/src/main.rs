@@ -2,6 +2,7 @@
 
 mod args;
 mod commands;
+mod control_change;
 mod failure;
 mod load;
 mod operating;

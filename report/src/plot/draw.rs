@@ -37,7 +37,7 @@ pub(crate) fn figure(plot: &Plot) -> Markup {
     html! {
         figure class=[plot.wide.then_some("wide")] {
             figcaption {
-                strong { (plot.title) }
+                @if !plot.title.is_empty() { strong { (plot.title) } }
                 @for series in plot.series.iter().filter(|s| !s.name.is_empty()) {
                     " " span class={ "key " (series.ink.class()) " " (key(&series.shape)) } { (series.name) }
                 }
