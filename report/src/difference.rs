@@ -14,13 +14,13 @@ pub(crate) fn difference(name: &str, old: &str, new: &str) -> Markup {
             figcaption { (name) @if groups.is_empty() { ": no line differs" } }
             @if !groups.is_empty() {
                 pre { @for (k, group) in groups.iter().enumerate() {
-                    @if k > 0 { span.gap { "…\n" } }
+                    @if k > 0 { span.gap { "…" } }
                     @for change in group.iter().flat_map(|op| found.iter_changes(op)) {
                         @let line = change.value().trim_end_matches(['\r', '\n']);
                         @match change.tag() {
-                            ChangeTag::Insert => { ins { "+ " (line) "\n" } }
-                            ChangeTag::Delete => { del { "- " (line) "\n" } }
-                            ChangeTag::Equal => { span { "  " (line) "\n" } }
+                            ChangeTag::Insert => { ins { "+ " (line) } }
+                            ChangeTag::Delete => { del { "- " (line) } }
+                            ChangeTag::Equal => { span { "  " (line) } }
                         }
                     }
                 } }

@@ -42,9 +42,9 @@ pub(crate) fn table(data: &Table) -> Markup {
     let column = |k: usize| data.rows.first().and_then(|row| row.get(k));
     let right = |cell: Option<&Cell>| matches!(cell, Some(Cell::Number(_)));
     html! {
+        @if !data.caption.is_empty() { p.caption { (data.caption) } }
         div.table {
             table {
-                @if !data.caption.is_empty() { caption { (data.caption) } }
                 @if !data.head.is_empty() {
                     thead { tr { @for (k, name) in data.head.iter().enumerate() {
                         th scope="col" class=[right(column(k)).then_some("n")] { (name) }

@@ -6,7 +6,7 @@ use crate::control_change::{self, Change};
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::output::{Answer, number};
-use crate::pages::{self, diagnose::Around};
+use crate::pages::{self, diagnose::Around, short};
 use crate::write::write;
 use diagnose::effects::{Effect, read_own};
 use diagnose::patch::Base;
@@ -59,14 +59,8 @@ pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
             document["control"] = change.json();
         }
         let records: Vec<&Path> = args.data.iter().chain(&args.test).map(PathBuf::as_path).collect();
-        let around = Around {
-            rig: &base.rig.name,
-            source: &args.rig.file,
-            records: &records,
-            options: asked(args),
-            texts: texts(&found),
-            control,
-        };
+        let around =
+            Around { rig: &base.rig.name, source: &args.rig.file, records: &records, options: asked(args), texts: texts(&found), control };
         let path = out.join("index.html");
         pages::write(&path, &pages::diagnose::page(&found, &around), args.force)?;
         document["report"] = json!(path.display().to_string());
@@ -155,11 +149,6 @@ fn write_patched(out: &Path, rig: &Path, found: &Diagnosis, force: bool) -> Resu
 /// A file's name without its folder.
 fn short_file(file: &str) -> String {
     Path::new(file).file_name().map_or_else(|| file.to_owned(), |n| n.to_string_lossy().into_owned())
-}
-
-/// A name of a record that fits a table.
-fn short(source: &str) -> String {
-    Path::new(source).file_stem().map_or_else(|| source.to_owned(), |s| s.to_string_lossy().into_owned())
 }
 
 fn percent(figures: &[diagnose::Figure]) -> String {

@@ -10,7 +10,16 @@ use runtime::Model;
 use std::path::Path;
 
 /// The page. `settled` is the time from which errors count a second time [s].
-pub fn page(title: &str, plant: &Machine, built: &Built<'_>, run: &Run, bench: &Bench, settled: Option<f64>, ending: &str, source: &Path) -> Page {
+pub fn page(
+    title: &str,
+    plant: &Machine,
+    built: &Built<'_>,
+    run: &Run,
+    bench: &Bench,
+    settled: Option<f64>,
+    ending: &str,
+    source: &Path,
+) -> Page {
     let layout = plant.layout();
     let mut blocks = Vec::new();
     if run.status != Status::Complete {

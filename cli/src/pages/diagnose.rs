@@ -1,7 +1,7 @@
 //! The page of `rig diagnose`: where, what, how much, and from what.
 
-use super::identify::{overlay, three};
-use super::{bracketed, percent, shown, times};
+use super::identify::overlay;
+use super::{bracketed, brief, percent, short, shown, times};
 use crate::control_change::Change;
 use crate::output::{number, poles_in_words, prime};
 use diagnose::{Candidate, Diagnosis, Figure, Pushed, Traced, Verdict};
@@ -29,7 +29,11 @@ pub struct Around<'a> {
 
 /// The page.
 pub fn page(found: &Diagnosis, around: &Around<'_>) -> Page {
-    let mut blocks = vec![Block::Callout { tone: tone(found.verdict), word: format!("{}:", found.verdict.id().replace('_', " ")), sentence: found.because.clone() }];
+    let mut blocks = vec![Block::Callout {
+        tone: tone(found.verdict),
+        word: format!("{}:", found.verdict.id().replace('_', " ")),
+        sentence: found.because.clone(),
+    }];
     blocks.extend(found.findings.iter().map(|f| Block::Text(format!("Found: {}", finding(f)))));
     if let Some(next) = &found.next_experiment {
         blocks.push(Block::Callout { tone: Tone::Plain, word: "Next experiment:".to_owned(), sentence: next.clone() });
@@ -64,7 +68,8 @@ fn tone(verdict: Verdict) -> Tone {
 }
 
 fn finding(f: &diagnose::Finding) -> String {
-    let values: Vec<String> = f.parameters.iter().map(|v| format!("{} = {} +- {} {}", v.name, number(three(v.value)), number(three(v.sd)), v.unit)).collect();
+    let values: Vec<String> =
+        f.parameters.iter().map(|v| format!("{} = {} +- {} {}", v.name, brief(v.value), brief(v.sd), v.unit)).collect();
     format!("{} on {}, {}", f.effect, f.place, values.join(", "))
 }
 
@@ -89,7 +94,7 @@ fn places(found: &Diagnosis, blocks: &mut Vec<Block>) {
                 windows: if k == 0 { place.windows.clone() } else { Vec::new() },
                 levels: vec![0.0],
                 wide: true,
-                ..Plot::new(pushed.record.clone(), "t [s]", format!("on {}{}", place.equation, bracketed(&pushed.unit)))
+                ..Plot::new(short(&pushed.record), "t [s]", format!("on {}{}", place.equation, bracketed(&pushed.unit)))
             });
         }
         if let Some(first) = own.first() {
@@ -109,11 +114,15 @@ fn against(own: &[&Pushed], variable: &Traced, index: usize, equation: &str, uni
         .iter()
         .enumerate()
         .filter_map(|(k, p)| {
-            let label = if own.len() > 1 { p.record.as_str() } else { "" };
+            let label = if own.len() > 1 { short(&p.record) } else { String::new() };
             Some(Series::line(label, Ink::Slot(k), &times(&p.against.get(index)?.values, factor), &p.force).drawn(Shape::Dots))
         })
         .collect();
-    Plot { series, levels: vec![0.0], ..Plot::new(format!("against {name}"), format!("{name}{}", bracketed(&shown)), format!("on {equation}{}", bracketed(unit))) }
+    Plot {
+        series,
+        levels: vec![0.0],
+        ..Plot::new(format!("against {name}"), format!("{name}{}", bracketed(&shown)), format!("on {equation}{}", bracketed(unit)))
+    }
 }
 
 /// Parts into which the range of a variable is cut.
@@ -126,7 +135,8 @@ fn telling(own: &[&Pushed]) -> Vec<usize> {
     let mut shares: Vec<(f64, usize)> = (0..count)
         .filter_map(|i| {
             let pairs = || own.iter().flat_map(|p| p.against[i].values.iter().copied().zip(p.force.iter().copied()));
-            let (lo, hi) = pairs().filter(|p| p.0.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), (v, _)| (lo.min(v), hi.max(v)));
+            let (lo, hi) =
+                pairs().filter(|p| p.0.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), (v, _)| (lo.min(v), hi.max(v)));
             let mut parts = [(0.0_f64, 0.0_f64); PARTS];
             let mut total = 0.0;
             for (v, d) in pairs().filter(|p| p.0.is_finite() && p.1.is_finite()) {
@@ -149,14 +159,14 @@ fn candidates(all: &[Candidate], blocks: &mut Vec<Block>) {
     }
     let longest = all.iter().filter(|c| c.status != "not identifiable").map(|c| c.score).filter(|s| s.is_finite()).fold(0.0, f64::max);
     let row = |c: &Candidate| {
-        let sizes: Vec<String> = c.minimal_detectable.iter().map(|(n, v, u)| format!("{n} {} {u}", number(three(*v)))).collect();
+        let sizes: Vec<String> = c.minimal_detectable.iter().map(|(n, v, u)| format!("{n} {} {u}", brief(*v))).collect();
         let shape = c.shape.as_ref().map_or_else(String::new, |s| format!(" ({s})"));
         vec![
             Cell::Bar { share: c.score / longest, text: format!("{:.1}", c.score) },
             Cell::Number(c.class.to_string()),
             Cell::Text(format!("{} on {}{shape}", c.effect, c.place)),
             Cell::Text(c.status.clone()),
-            Cell::Number(format!("{:.1e}", c.p_value)),
+            Cell::Number(brief(c.p_value)),
             Cell::Number(format!("{:.0} %", 100.0 * c.unique_fraction)),
             Cell::Text(if sizes.is_empty() { "-".to_owned() } else { sizes.join(", ") }),
         ]
@@ -189,20 +199,28 @@ fn accepted(found: &Diagnosis, around: &Around<'_>, blocks: &mut Vec<Block>) {
     for f in &found.findings {
         let equivalent: Vec<String> = f.equivalent.iter().map(|(id, place)| format!("{id} on {place}")).collect();
         for v in &f.parameters {
-            let of = v.record.as_ref().map_or_else(String::new, |r| format!(" ({r})"));
+            let of = v.record.as_ref().map_or_else(String::new, |r| format!(" ({})", short(r)));
             let ends = v.sd.is_finite().then_some((v.value - 1.96 * v.sd, v.value + 1.96 * v.sd));
             rows.push(vec![
                 Cell::Text(format!("{} on {}", f.effect, f.place)),
                 Cell::Text(format!("{}{of}", v.name)),
-                Cell::Number(format!("{} +- {}", number(three(v.value)), number(three(v.sd)))),
+                Cell::Number(format!("{} +- {}", brief(v.value), brief(v.sd))),
                 Cell::Text(v.unit.clone()),
                 Cell::Interval { value: v.value, ends, other: Some(0.0) },
-                Cell::Number(format!("{} +- {}", number(three(f.heldout_gain.0)), number(three(f.heldout_gain.1)))),
+                Cell::Number(format!("{} +- {}", brief(f.heldout_gain.0), brief(f.heldout_gain.1))),
                 Cell::Text(if equivalent.is_empty() { "-".to_owned() } else { equivalent.join(", ") }),
             ]);
         }
     }
-    let head = ["effect", "parameter", "value and std. error", "unit", "95 % interval, and 0", "gain on records not used [nats/sample]", "cannot be told from"];
+    let head = [
+        "effect",
+        "parameter",
+        "value and std. error",
+        "unit",
+        "95 % interval, and 0",
+        "gain on records not used [nats/sample]",
+        "cannot be told from",
+    ];
     blocks.push(Block::Table(Table { caption: String::new(), head: head.map(str::to_owned).to_vec(), rows }));
     blocks.extend(found.findings.iter().filter_map(|f| Some(Block::Text(format!("{} on {}: {}", f.effect, f.place, f.shape.as_ref()?)))));
     for (name, old, new) in &around.texts {
@@ -224,9 +242,11 @@ fn figures(found: &Diagnosis, blocks: &mut Vec<Block>) {
             let unit = found.runs.iter().find(|r| r.record == f.record && r.signal == f.signal).map_or("", |r| r.unit.as_str());
             let (factor, unit) = shown(unit);
             let fit = |f: Option<&Figure>| f.map_or_else(|| Cell::Number("-".to_owned()), |f| percent(f.fit_percent));
-            let rms = |f: Option<&Figure>| Cell::Number(f.and_then(|f| f.rmse).map_or_else(|| "-".to_owned(), |e| format!("{} {unit}", number(three(e * factor)))));
+            let rms = |f: Option<&Figure>| {
+                Cell::Number(f.and_then(|f| f.rmse).map_or_else(|| "-".to_owned(), |e| format!("{} {unit}", brief(e * factor))))
+            };
             rows.push(vec![
-                Cell::Text(f.record.clone()),
+                Cell::Text(short(&f.record)),
                 Cell::Text(role.to_owned()),
                 Cell::Text(f.signal.clone()),
                 fit(given.as_ref()),
@@ -245,7 +265,11 @@ fn figures(found: &Diagnosis, blocks: &mut Vec<Block>) {
     let head = ["record", "", "signal", "fit as given", "refitted", "with the effects", "rms refitted", "rms after", ""];
     blocks.push(Block::Table(Table { caption: String::new(), head: head.map(str::to_owned).to_vec(), rows }));
     if patched && !found.gap_shrink.is_empty() {
-        let rows = found.gap_shrink.iter().map(|(s, v)| vec![Cell::Text(s.clone()), Cell::Bar { share: *v, text: format!("{:.0} %", 100.0 * v) }]).collect();
+        let rows = found
+            .gap_shrink
+            .iter()
+            .map(|(s, v)| vec![Cell::Text(s.clone()), Cell::Bar { share: *v, text: format!("{:.0} %", 100.0 * v) }])
+            .collect();
         let caption = "The gap, as far as it stood above the noise, shrunk on records that were not used:".to_owned();
         blocks.push(Block::Table(Table { caption, head: Vec::new(), rows }));
     }
@@ -256,7 +280,7 @@ fn figures(found: &Diagnosis, blocks: &mut Vec<Block>) {
             .filter(|r| r.held_out == held_out)
             .map(|r| {
                 let (factor, unit) = shown(&r.unit);
-                let title = format!("{}, {}", r.signal, r.record);
+                let title = format!("{}, {}", r.signal, short(&r.record));
                 let label = format!("{}{}", r.signal, bracketed(&unit));
                 match &r.after {
                     Some(after) => overlay(&title, &label, factor, &r.t, &r.measured, Some(&r.before), after),
@@ -293,10 +317,14 @@ fn moved(found: &Diagnosis, blocks: &mut Vec<Block>) {
             let far = (m.after.0 - m.before.0).abs() > 2.0 * reach;
             vec![
                 Cell::Text(m.name.clone()),
-                Cell::Number(format!("{} +- {}", number(m.before.0), number(three(m.before.1)))),
-                Cell::Number(format!("{} +- {}", number(m.after.0), number(three(m.after.1)))),
+                Cell::Number(format!("{} +- {}", number(m.before.0), brief(m.before.1))),
+                Cell::Number(format!("{} +- {}", number(m.after.0), brief(m.after.1))),
                 Cell::Text(m.unit.clone()),
-                Cell::Interval { value: m.after.0, ends: Some((m.after.0 - 1.96 * m.after.1, m.after.0 + 1.96 * m.after.1)), other: Some(m.before.0) },
+                Cell::Interval {
+                    value: m.after.0,
+                    ends: Some((m.after.0 - 1.96 * m.after.1, m.after.0 + 1.96 * m.after.1)),
+                    other: Some(m.before.0),
+                },
                 Cell::Text(if far { "had been absorbing what was missing".to_owned() } else { String::new() }),
             ]
         })
@@ -323,8 +351,16 @@ fn control(around: &Around<'_>, blocks: &mut Vec<Block>) {
                 let (x, y): (Vec<f64>, Vec<f64>) = poles.iter().map(|z| (z.re, z.im)).unzip();
                 Series::line(name, ink, &x, &y).drawn(shape)
             };
-            let series = vec![points("before", Ink::Before, Shape::Crosses, &change.before), points("after", Ink::Model, Shape::Rings, &change.after)];
-            blocks.push(Block::Plots(vec![Plot { series, equal: true, levels: vec![0.0], ..Plot::new("Poles", "Re s [1/s]", "Im s [1/s]") }]));
+            let series = vec![
+                points("before", Ink::Before, Shape::Crosses, &change.before),
+                points("after", Ink::Model, Shape::Rings, &change.after),
+            ];
+            blocks.push(Block::Plots(vec![Plot {
+                series,
+                equal: true,
+                levels: vec![0.0],
+                ..Plot::new("Poles", "Re s [1/s]", "Im s [1/s]")
+            }]));
         }
     }
 }
@@ -337,10 +373,16 @@ mod tests {
     #[test]
     fn what_explains_it_comes_first() {
         let t: Vec<f64> = (0..400).map(|k| f64::from(k) * 0.05).collect();
-        let trace = |name: &str, f: &dyn Fn(f64) -> f64| Traced { name: name.to_owned(), unit: String::new(), values: t.iter().map(|t| f(*t)).collect() };
-        let against = vec![trace("q", &|t| t.sin()), trace("q.dot", &|t| t.cos()), trace("still", &|_| 1.0), trace("u", &|t| (7.0 * t).sin())];
+        let trace = |name: &str, f: &dyn Fn(f64) -> f64| Traced {
+            name: name.to_owned(),
+            unit: String::new(),
+            values: t.iter().map(|t| f(*t)).collect(),
+        };
+        let against =
+            vec![trace("q", &|t| t.sin()), trace("q.dot", &|t| t.cos()), trace("still", &|_| 1.0), trace("u", &|t| (7.0 * t).sin())];
         let force = t.iter().map(|t| 0.3 * t.cos().signum()).collect();
-        let pushed = Pushed { record: String::new(), equation: "q".to_owned(), unit: String::new(), sd: vec![0.1; t.len()], force, against, t };
+        let pushed =
+            Pushed { record: String::new(), equation: "q".to_owned(), unit: String::new(), sd: vec![0.1; t.len()], force, against, t };
         assert_eq!(telling(&[&pushed])[0], 1);
         assert!(!telling(&[&pushed]).contains(&2), "what is constant explains nothing");
     }

@@ -1,6 +1,6 @@
 //! The page of `rig identify`: how the model follows each record before and after, what is left, and what is known of the parameters.
 
-use super::{bracketed, cell, percent, shown, times};
+use super::{bracketed, brief, cell, percent, short, shown, times};
 use crate::output::number;
 use ident::compare::{CompareOptions, Comparison, compare};
 use ident::fit::{Estimate, RecordFigures};
@@ -48,10 +48,21 @@ pub struct Laid {
 }
 
 /// Lays runs over a record; `None` where there is none. `initial` are states that are known.
-pub fn lay(model: &dyn Model, (before, after): (&[f64], &[f64]), record: &Record, initial: &[(usize, f64)], hold: Hold, held_out: bool) -> Option<Laid> {
+pub fn lay(
+    model: &dyn Model,
+    (before, after): (&[f64], &[f64]),
+    record: &Record,
+    initial: &[(usize, f64)],
+    hold: Hold,
+    held_out: bool,
+) -> Option<Laid> {
     let options = |initial: &[(usize, f64)]| CompareOptions { hold, initial: initial.to_vec(), ..CompareOptions::default() };
     let run = compare(model, after, record, &options(initial)).ok()?;
-    let unit = |name: &str| (0..model.dimensions().outputs).find(|&i| model.names().output(i) == name).map_or_else(String::new, |i| model.names().output_unit(i).to_owned());
+    let unit = |name: &str| {
+        (0..model.dimensions().outputs)
+            .find(|&i| model.names().output(i) == name)
+            .map_or_else(String::new, |i| model.names().output_unit(i).to_owned())
+    };
     Some(Laid {
         record: record.source.clone(),
         held_out,
@@ -65,7 +76,11 @@ pub fn lay(model: &dyn Model, (before, after): (&[f64], &[f64]), record: &Record
 /// The page.
 pub fn page(found: &Identified<'_>, source: &Path, records: &[&Path], time: Option<String>) -> Page {
     let mut blocks = vec![Block::Facts(found.facts.clone())];
-    blocks.extend(found.warnings.iter().map(|w| Block::Callout { tone: Tone::Warning, word: "Look at this:".to_owned(), sentence: w.clone() }));
+    blocks.extend(found.warnings.iter().map(|w| Block::Callout {
+        tone: Tone::Warning,
+        word: "Look at this:".to_owned(),
+        sentence: w.clone(),
+    }));
     blocks.push(Block::Heading("How the model follows the records".to_owned()));
     blocks.push(Block::Table(figures(found)));
     blocks.push(Block::Heading("Parameters".to_owned()));
@@ -75,7 +90,7 @@ pub fn page(found: &Identified<'_>, source: &Path, records: &[&Path], time: Opti
         blocks.extend(pairs(found.parameters, correlation));
     }
     for laid in &found.runs {
-        blocks.push(Block::Heading(format!("{} ({})", laid.record, if laid.held_out { "held out" } else { "training" })));
+        blocks.push(Block::Heading(format!("{} ({})", short(&laid.record), if laid.held_out { "held out" } else { "training" })));
         let figures = found.train.1.iter().chain(found.test.1).find(|f| f.record == laid.record);
         blocks.extend(over(laid, figures.and_then(|f| f.horizon)));
     }
@@ -106,12 +121,12 @@ fn figures(found: &Identified<'_>) -> Table {
                     (None, false) => format!("free run up to {} s: {}", number(figures.valid_until), figures.status),
                 };
                 rows.push(vec![
-                    Cell::Text(figures.record.clone()),
+                    Cell::Text(short(&figures.record)),
                     Cell::Text(role.to_owned()),
                     Cell::Text(s.signal.clone()),
                     was.map_or_else(|| Cell::Number("-".to_owned()), |w| percent(w.fit_percent)),
                     percent(s.fit_percent),
-                    Cell::Number(s.rmse.map_or_else(|| "-".to_owned(), |e| format!("{} {unit}", number(three(e * factor))))),
+                    Cell::Number(s.rmse.map_or_else(|| "-".to_owned(), |e| format!("{} {unit}", brief(e * factor)))),
                     Cell::Text(note),
                 ]);
             }
@@ -121,22 +136,17 @@ fn figures(found: &Identified<'_>) -> Table {
     Table { caption: String::new(), head: head.map(str::to_owned).to_vec(), rows }
 }
 
-/// Three digits.
-pub fn three(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
-}
-
 fn parameters(list: &[Estimate]) -> Table {
     let rows = list
         .iter()
         .map(|e| {
-            let name = e.record.as_ref().map_or_else(|| e.name.clone(), |r| format!("{} ({r})", e.name));
+            let name = e.record.as_ref().map_or_else(|| e.name.clone(), |r| format!("{} ({})", e.name, short(r)));
             let told = if e.at_bound { "at its bound" } else { "not told" };
             vec![
                 Cell::Text(name),
                 cell(e.value),
                 Cell::Text(e.unit.clone()),
-                Cell::Number(e.std_error.map_or_else(|| told.to_owned(), |s| number(three(s)))),
+                Cell::Number(e.std_error.map_or_else(|| told.to_owned(), brief)),
                 Cell::Number(e.ci95.map_or_else(|| "-".to_owned(), |(lo, hi)| format!("{} .. {}", number(lo), number(hi)))),
                 cell(e.initial),
                 Cell::Interval { value: e.value, ends: e.ci95, other: Some(e.initial) },
@@ -157,13 +167,17 @@ fn pairs(list: &[Estimate], correlation: &DMatrix<f64>) -> Option<Block> {
             let r = correlation[(i, j)];
             if r.abs() > TOGETHER {
                 let text = format!("{r:.3}");
-                rows.push((r.abs(), vec![Cell::Text(list[j].name.clone()), Cell::Text(list[i].name.clone()), Cell::Bar { share: r.abs(), text }]));
+                rows.push((
+                    r.abs(),
+                    vec![Cell::Text(list[j].name.clone()), Cell::Text(list[i].name.clone()), Cell::Bar { share: r.abs(), text }],
+                ));
             }
         }
     }
     rows.sort_by(|a, b| b.0.total_cmp(&a.0));
     let table = Table {
-        caption: "Parameters whose errors go together (correlation beyond 0.9): the records tell a combination better than each.".to_owned(),
+        caption: "Parameters whose errors go together (correlation beyond 0.9): the records tell a combination better than each."
+            .to_owned(),
         head: ["", "and", "correlation"].map(str::to_owned).to_vec(),
         rows: rows.into_iter().map(|r| r.1).collect(),
     };
@@ -178,14 +192,25 @@ fn over(laid: &Laid, horizon: Option<f64>) -> Vec<Block> {
         blocks.push(Block::Callout { tone: Tone::Warning, word: "Look at this:".to_owned(), sentence });
     }
     if let Some(h) = horizon {
-        let text = format!("The figures of this record are those of predictions {} s ahead, since its free run, shown here, says little: it amplifies every error of its initial state.", number(h));
+        let text = format!(
+            "The figures of this record are those of predictions {} s ahead, since its free run, shown here, says little: it amplifies every error of its initial state.",
+            number(h)
+        );
         blocks.push(Block::Text(text));
     }
     let mut plots = Vec::new();
     for (i, signal) in laid.after.signals.iter().enumerate() {
         let (factor, unit) = shown(&laid.units[i]);
         let label = format!("{}{}", signal.name, bracketed(&unit));
-        plots.push(overlay(&signal.name, &label, factor, &laid.t, &signal.measured, laid.before.as_ref().and_then(|b| b.signals.get(i)).map(|s| s.simulated.as_slice()), &signal.simulated));
+        plots.push(overlay(
+            &signal.name,
+            &label,
+            factor,
+            &laid.t,
+            &signal.measured,
+            laid.before.as_ref().and_then(|b| b.signals.get(i)).map(|s| s.simulated.as_slice()),
+            &signal.simulated,
+        ));
         plots.extend(left_over(&signal.name, &unit, &laid.t, &times(&signal.measured, factor), &times(&signal.simulated, factor)));
     }
     blocks.push(Block::Plots(plots));

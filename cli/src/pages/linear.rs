@@ -108,8 +108,7 @@ fn one(source: &Source<'_>, linear: &Linearized, found: &Lqr, plant: &Plant) -> 
     blocks.push(Block::Text(format!("Relative residual of the Riccati equation: {:.0e}.", found.residual)));
 
     blocks.push(Block::Heading("Poles".to_owned()));
-    let open: Vec<Complex<f64>> =
-        linear.model.poles.iter().map(|s| found.period.map_or(*s, |period| (*s * period).exp())).collect();
+    let open: Vec<Complex<f64>> = linear.model.poles.iter().map(|s| found.period.map_or(*s, |period| (*s * period).exp())).collect();
     let both: [Poles<'_>; 2] =
         [("without regulator", Ink::Before, Shape::Crosses, &open), ("with it", Ink::Model, Shape::Rings, &found.plant_poles)];
     let mut table = Table { caption: String::new(), head: ["", "poles"].map(str::to_owned).to_vec(), rows: Vec::new() };
@@ -123,7 +122,9 @@ fn one(source: &Source<'_>, linear: &Linearized, found: &Lqr, plant: &Plant) -> 
     let steps = steps(source, found, plant, &closed, length);
     if !steps.is_empty() {
         blocks.push(Block::Heading("The linear loop after a step of a reference".to_owned()));
-        blocks.push(Block::Text("From the operating point, the inputs beside u*; u* itself is left as it is (no feedforward), no limit counts.".to_owned()));
+        blocks.push(Block::Text(
+            "From the operating point, the inputs beside u*; u* itself is left as it is (no feedforward), no limit counts.".to_owned(),
+        ));
         blocks.push(Block::Plots(steps));
     }
     blocks.push(Block::Heading("Loops over frequency".to_owned()));
@@ -143,7 +144,11 @@ fn steps(source: &Source<'_>, found: &Lqr, plant: &Plant, closed: &Loop, length:
             let values: Vec<f64> = step.x.iter().map(|x| factor * x[i]).collect();
             moved.push(Series::line(other.name.clone(), Ink::Slot(i), &step.t, &values));
         }
-        plots.push(Plot { series: moved, levels: vec![1.0], ..Plot::new(format!("{} by 1 {unit}", q.name), "t [s]", bracketed(&unit).trim_start()) });
+        plots.push(Plot {
+            series: moved,
+            levels: vec![1.0],
+            ..Plot::new(format!("{} by 1 {unit}", q.name), "t [s]", bracketed(&unit).trim_start())
+        });
         let inputs = found
             .inputs
             .iter()
@@ -180,7 +185,13 @@ fn loops(found: &Lqr, closed: &Loop, band: (f64, f64)) -> Vec<Block> {
     }
     let frequency = Axis { label: "frequency [rad/s]".to_owned(), log: true, range: None };
     let plots = vec![
-        Plot { series: gain, levels: vec![1.0], x: frequency.clone(), y: Axis { label: "|L|".to_owned(), log: true, range: None }, ..Plot::new("Gain", "", "") },
+        Plot {
+            series: gain,
+            levels: vec![1.0],
+            x: frequency.clone(),
+            y: Axis { label: "|L|".to_owned(), log: true, range: None },
+            ..Plot::new("Gain", "", "")
+        },
         Plot { series: phase, levels: vec![-180.0], x: frequency, ..Plot::new("Phase", "", "phase [deg]") },
     ];
     vec![Block::Plots(plots), Block::Table(table)]
@@ -255,7 +266,11 @@ fn gains(source: &Source<'_>, designs: &[(Linearized, Lqr)]) -> Vec<Block> {
         plots.push(Plot { series: series.collect(), ..Plot::new(format!("K, row {input}"), label.clone(), "gain (SI)") });
         let mut head = vec![label.clone()];
         head.extend(first.states.iter().map(|s| column(s)));
-        let rows = values.iter().zip(designs).map(|(v, d)| std::iter::once(cell(*v)).chain(d.1.k.row(i).iter().map(|k| cell(*k))).collect()).collect();
+        let rows = values
+            .iter()
+            .zip(designs)
+            .map(|(v, d)| std::iter::once(cell(*v)).chain(d.1.k.row(i).iter().map(|k| cell(*k))).collect())
+            .collect();
         blocks.push(Block::Table(Table { caption: format!("K, row {input}"), head, rows }));
     }
     blocks.insert(0, Block::Plots(plots));

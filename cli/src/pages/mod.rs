@@ -48,6 +48,13 @@ pub fn times(values: &[f64], factor: f64) -> Vec<f64> {
     values.iter().map(|v| v * factor).collect()
 }
 
+/// Three digits: what errors and estimates of sizes are worth.
+pub fn brief(value: f64) -> String {
+    let rounded = format!("{value:.2e}");
+    let text = rounded.parse().map_or_else(|_| rounded.clone(), number);
+    if text.contains('e') { rounded } else { text }
+}
+
 /// A number of a table.
 pub fn cell(value: f64) -> Cell {
     Cell::Number(number(value))
@@ -68,4 +75,9 @@ pub fn matrix(caption: &str, columns: &[String], rows: &[(String, Vec<f64>)]) ->
             .map(|(name, values)| std::iter::once(Cell::Text(name.clone())).chain(values.iter().map(|v| cell(*v))).collect())
             .collect(),
     })
+}
+
+/// A name of a record that fits a table: its file without folder and ending. (The whole list stands at the end of a page.)
+pub fn short(source: &str) -> String {
+    Path::new(source).file_stem().map_or_else(|| source.to_owned(), |s| s.to_string_lossy().into_owned())
 }

@@ -66,7 +66,8 @@ impl Loop {
         }
         let read = read * found.period.unwrap_or(1.0);
         let order = n + found.integrals;
-        let (mut all, mut inputs, mut k) = (DMatrix::zeros(order, order), DMatrix::zeros(order, b.ncols()), DMatrix::zeros(b.ncols(), order));
+        let (mut all, mut inputs, mut k) =
+            (DMatrix::zeros(order, order), DMatrix::zeros(order, b.ncols()), DMatrix::zeros(b.ncols(), order));
         all.view_mut((0, 0), (n, n)).copy_from(&a);
         all.view_mut((n, 0), (found.integrals, n)).copy_from(&read);
         if found.period.is_some() {

@@ -33,15 +33,20 @@ pub fn page(rig: &str, layout: &Layout, signals: &Signals, run: &Trajectory, sou
         .enumerate()
         .map(|(i, u)| Traced { name: u.name.clone(), unit: u.unit.clone(), values: asked.iter().map(|row| row[i]).collect() })
         .collect();
-    let outputs: Vec<Traced> =
-        layout.outputs.iter().enumerate().map(|(i, o)| Traced { name: o.name.clone(), unit: o.unit.clone(), values: run.output(i) }).collect();
+    let outputs: Vec<Traced> = layout
+        .outputs
+        .iter()
+        .enumerate()
+        .map(|(i, o)| Traced { name: o.name.clone(), unit: o.unit.clone(), values: run.output(i) })
+        .collect();
     let states: Vec<Traced> = layout
         .x()
         .enumerate()
         .filter(|(_, x)| !layout.outputs.iter().any(|o| o.name == x.name))
         .map(|(i, x)| Traced { name: prime(&x.name), unit: x.unit.clone(), values: (0..run.t.len()).map(|k| run.state(k)[i]).collect() })
         .collect();
-    for (title, list, shape) in [("Inputs", inputs, Shape::Steps), ("Outputs", outputs, Shape::Line), ("Other states", states, Shape::Line)] {
+    for (title, list, shape) in [("Inputs", inputs, Shape::Steps), ("Outputs", outputs, Shape::Line), ("Other states", states, Shape::Line)]
+    {
         let plots = by_unit(&run.t, &list, &shape);
         if !plots.is_empty() {
             blocks.push(Block::Heading(title.to_owned()));
