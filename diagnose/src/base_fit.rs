@@ -5,7 +5,7 @@ use crate::patch::Base;
 use crate::workflow::{DiagnoseError, Options};
 use ident::fit::minimize::Limits;
 use ident::fit::{FitError, FitOptions, ParameterSpec, identify};
-use ident::innovations::{EstimateOptions, Estimated, Noise, Track, estimate, likelihood};
+use ident::innovations::{Estimated, EstimateOptions, Noise, Track, estimate, likelihood};
 use ident::record::Record;
 
 /// A fitted model.

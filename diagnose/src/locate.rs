@@ -142,15 +142,7 @@ fn region(rig: &model_dsl::rig::Rig, row: usize, coordinates: usize, samples: &[
             for (gathered, time, sign) in [(sum / total, share, "<"), (1.0 - sum / total, 1.0 - share, ">")] {
                 let gain = gathered - time;
                 if gathered > 0.7 && time < 0.5 && gain > best.0 {
-                    best = (
-                        gain,
-                        format!(
-                            "at {} ({:.0} % of it in {:.0} % of the time)",
-                            name.replace("{}", &format!("{sign} {}", digits(pair.0, 2))),
-                            100.0 * gathered,
-                            100.0 * time
-                        ),
-                    );
+                    best = (gain, format!("at {} ({:.0} % of it in {:.0} % of the time)", name.replace("{}", &format!("{sign} {}", digits(pair.0, 2))), 100.0 * gathered, 100.0 * time));
                 }
             }
         }

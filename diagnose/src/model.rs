@@ -56,9 +56,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
         .filter(|(k, e)| *k < accepted || e.effect.signature == Signature::Parameters)
         .map(|(k, e)| Written {
             effect: &e.effect,
-            values: (0..e.effect.parameters.len())
-                .map(|i| (if k < accepted { e.start.get(i).copied().unwrap_or(0.0) } else { 0.0 }, 0.0))
-                .collect(),
+            values: (0..e.effect.parameters.len()).map(|i| (if k < accepted { e.start.get(i).copied().unwrap_or(0.0) } else { 0.0 }, 0.0)).collect(),
             evidence: None,
             per_record: e.per_record,
             screened: k >= accepted,

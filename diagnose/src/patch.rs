@@ -409,13 +409,8 @@ fn split(text: &str, by: char) -> Vec<String> {
 fn entries_of(text: &str) -> (String, Vec<(String, String)>) {
     let Some(open) = text.find('{') else { return (text.trim_end_matches(';').to_owned(), Vec::new()) };
     let close = closing(text, open).unwrap_or(text.len() - 1);
-    let clean: String = text
-        .get(open + 1..close)
-        .unwrap_or_default()
-        .lines()
-        .map(|l| l.split("//").next().unwrap_or_default())
-        .collect::<Vec<_>>()
-        .join(" ");
+    let clean: String =
+        text.get(open + 1..close).unwrap_or_default().lines().map(|l| l.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join(" ");
     let entries = split(&clean, ';')
         .into_iter()
         .filter_map(|entry| entry.trim().split_once(' ').map(|(key, value)| (key.to_owned(), value.trim().to_owned())))

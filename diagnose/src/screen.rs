@@ -56,6 +56,7 @@ pub struct Score {
     pub direction: Vec<f32>,
 }
 
+
 /// How a screening is made.
 #[derive(Clone, Copy, Debug)]
 pub struct ScreenOptions {
@@ -176,8 +177,7 @@ pub fn screen(
     for (score, test) in scores.iter_mut().zip(&tests) {
         let below = least.partition_point(|p| *p <= score.p_single) as f64;
         // beyond the draws the bound of Bonferroni holds
-        score.p_family =
-            if below > 0.0 { below / least.len() as f64 } else { (eligible as f64 * score.p_single).min(1.0 / least.len() as f64) };
+        score.p_family = if below > 0.0 { below / least.len() as f64 } else { (eligible as f64 * score.p_single).min(1.0 / least.len() as f64) };
         score.minimal_detectable = (0..test.range.len()).map(|k| reach / test.information(k, &whole).sqrt()).collect();
     }
     Ok(scores)
@@ -331,8 +331,7 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
             (0..k).map(|i| (value[i], if inverse[(i, i)] > 0.0 { inverse[(i, i)].sqrt() } else { f64::INFINITY })).collect()
         })
         .collect();
-    let mut direction: Vec<f32> =
-        (0..z.len()).map(|s| row(s).iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>() as f32).collect();
+    let mut direction: Vec<f32> = (0..z.len()).map(|s| row(s).iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>() as f32).collect();
     let length = direction.iter().map(|d| f64::from(*d).powi(2)).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
     direction.iter_mut().for_each(|d| *d = (f64::from(*d) / length) as f32);
     Score {

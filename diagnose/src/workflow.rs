@@ -4,15 +4,15 @@
 
 use crate::accept::{Tried, judge};
 use crate::answer::{Candidate, Diagnosis, EffectValue, Figures, Finding, Moved, Verdict};
-use crate::base_fit::{Fitted, fit_base, likelihoods, refit};
 use crate::chance::beyond;
+use crate::base_fit::{Fitted, fit_base, likelihoods, refit};
 use crate::effects::{Effect, IDS, Scales, Signature, catalogue};
 use crate::figures::{View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Included, Prepared, prepare};
 use crate::patch::{Base, PatchError, Written, check, compose, digits};
 use crate::quality::{averaged, look, mistaken, strangers, stride};
-use crate::screen::{SAME, Score, ScreenOptions, Seen, UNIQUE, cosine, screen};
+use crate::screen::{SAME, ScreenOptions, Score, Seen, UNIQUE, cosine, screen};
 use crate::shapes::unnamed;
 use crate::traces;
 use ident::fit::{FitError, ParameterSpec};
@@ -145,13 +145,7 @@ impl From<PatchError> for DiagnoseError {
 ///
 /// # Errors
 /// [`DiagnoseError`], one variant a cause. Records that cannot be used are a verdict, no error.
-pub fn diagnose(
-    base: &Base,
-    asked: &[ParameterSpec],
-    train: &[Record],
-    test: &[Record],
-    options: &Options<'_>,
-) -> Result<Diagnosis, DiagnoseError> {
+pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[Record], options: &Options<'_>) -> Result<Diagnosis, DiagnoseError> {
     let began = Instant::now();
     let tell = options.progress;
     if test.is_empty() && options.method.other_records && options.until == Step::Patch {
@@ -161,8 +155,7 @@ pub fn diagnose(
     let plain = prepare(base, asked, &[], 0)?;
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
     let block = stride(&plain, &p0, train);
-    let wrapped: Vec<String> =
-        base.rig.outputs.iter().filter(|o| o.encoder.as_ref().is_some_and(|e| e.wrapped)).map(|o| o.name.clone()).collect();
+    let wrapped: Vec<String> = base.rig.outputs.iter().filter(|o| o.encoder.as_ref().is_some_and(|e| e.wrapped)).map(|o| o.name.clone()).collect();
     let hold = if block > 1 { Hold::First } else { options.hold };
     let bind = |records: &[Record]| {
         records.iter().map(|r| Track::new(&averaged(r, block, &wrapped), &plain.model, &p0, hold)).collect::<Result<Vec<_>, _>>()
@@ -297,8 +290,7 @@ pub fn diagnose(
         let found = &current.fitted.found;
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.mean(), train, test, options.hold);
     }
-    answer.gap_shrink =
-        shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &held, &base_figures, &answer.after);
+    answer.gap_shrink = shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
 }
@@ -362,14 +354,7 @@ impl State {
             .collect()
     }
 
-    fn screen(
-        &self,
-        base: &Base,
-        asked: &[ParameterSpec],
-        left: &[&Effect],
-        tracks: &[Track],
-        options: &Options<'_>,
-    ) -> Result<Round, DiagnoseError> {
+    fn screen(&self, base: &Base, asked: &[ParameterSpec], left: &[&Effect], tracks: &[Track], options: &Options<'_>) -> Result<Round, DiagnoseError> {
         // one model with all candidates at their null values, beside what was accepted
         let mut included = self.accepted.clone();
         included.extend(left.iter().map(|e| Included { effect: (*e).clone(), per_record: false, start: vec![0.0; e.parameters.len()] }));
@@ -477,12 +462,7 @@ impl State {
         // members of the best one's class that fit about as well
         let ranked: Vec<(usize, f64)> = tried.iter().map(|t| (t.index, t.value)).collect();
         for t in &mut tried {
-            let fits = |i: usize| {
-                ranked
-                    .iter()
-                    .find(|(k, _)| *k == i)
-                    .map_or(scores[i].statistic > scores[t.index].statistic - 4.0, |(_, v)| *v > t.value - 2.0)
-            };
+            let fits = |i: usize| ranked.iter().find(|(k, _)| *k == i).map_or(scores[i].statistic > scores[t.index].statistic - 4.0, |(_, v)| *v > t.value - 2.0);
             t.equivalent = (0..left.len())
                 .filter(|&i| {
                     let same_name = left[i].id == left[t.index].id && left[i].place == left[t.index].place;
@@ -534,16 +514,7 @@ impl State {
             let mut included = self.accepted.clone();
             included.push(Included { effect: left[i].clone(), per_record: false, start: begin(left[i], &step, tracks) });
             let Ok((prepared, fitted)) = refit(base, asked, &included, &t.fitted, tracks, false) else { continue };
-            let rival = Tried {
-                index: i,
-                value: 0.0,
-                included,
-                prepared,
-                fitted,
-                equivalent: Vec::new(),
-                per_record: false,
-                by_record: scores[i].by_record.clone(),
-            };
+            let rival = Tried { index: i, value: 0.0, included, prepared, fitted, equivalent: Vec::new(), per_record: false, by_record: scores[i].by_record.clone() };
             let worth = total(&rival, &t.fitted.found.noise)?;
             let best = rivals[0].1;
             rivals.push((i, worth));
@@ -565,7 +536,8 @@ impl State {
     fn superfluous(&self) -> Option<usize> {
         (0..self.accepted.len()).find(|&k| {
             let own = &self.prepared.of_effect[k];
-            !own.is_empty() && self.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).all(|u| u.value.abs() < 2.0 * u.sd)
+            !own.is_empty()
+                && self.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).all(|u| u.value.abs() < 2.0 * u.sd)
         })
     }
 }
@@ -667,13 +639,7 @@ fn listed(left: &[&Effect], scores: &[Score]) -> Vec<Candidate> {
         .into_iter()
         .map(|i| {
             let (e, s) = (left[i], &scores[i]);
-            let status = if s.degrees == 0 || s.unique_fraction < UNIQUE {
-                "not identifiable"
-            } else if s.p_family < 0.05 {
-                "significant"
-            } else {
-                "quiet"
-            };
+            let status = if s.degrees == 0 || s.unique_fraction < UNIQUE { "not identifiable" } else if s.p_family < 0.05 { "significant" } else { "quiet" };
             Candidate {
                 effect: e.id.clone(),
                 place: e.place.clone(),
@@ -681,12 +647,7 @@ fn listed(left: &[&Effect], scores: &[Score]) -> Vec<Candidate> {
                 score: s.statistic.sqrt(),
                 p_value: s.p_family,
                 unique_fraction: s.unique_fraction,
-                minimal_detectable: e
-                    .parameters
-                    .iter()
-                    .zip(&s.minimal_detectable)
-                    .map(|(p, m)| (p.name.clone(), *m, p.unit.clone()))
-                    .collect(),
+                minimal_detectable: e.parameters.iter().zip(&s.minimal_detectable).map(|(p, m)| (p.name.clone(), *m, p.unit.clone())).collect(),
                 class: class_of[i],
                 status: status.to_owned(),
             }
@@ -740,8 +701,7 @@ fn finish(
             let _ = f;
         } else if answer.findings.iter().any(|f| f.equivalent.iter().any(|(id, place)| title(id, place))) {
             "equivalent".clone_into(&mut candidate.status);
-        } else if let Some((_, why)) = rejected.iter().find(|(t, _)| t.starts_with(&format!("{} on {}", candidate.effect, candidate.place)))
-        {
+        } else if let Some((_, why)) = rejected.iter().find(|(t, _)| t.starts_with(&format!("{} on {}", candidate.effect, candidate.place))) {
             candidate.status = format!("rejected: {why}");
         }
     }
@@ -750,10 +710,7 @@ fn finish(
     (answer.verdict, answer.because) = if answer.findings.is_empty() {
         if contradicted {
             let list: Vec<String> = rejected.iter().map(|(t, why)| format!("{t} ({why})")).collect();
-            (
-                Verdict::OutsideCatalogue,
-                format!("there is a gap, but no candidate stands the test on other records: {}{words}", list.join("; ")),
-            )
+            (Verdict::OutsideCatalogue, format!("there is a gap, but no candidate stands the test on other records: {}{words}", list.join("; ")))
         } else if let Some(words) = left_over {
             (Verdict::OutsideCatalogue, format!("there is a gap that no candidate explains: {words}"))
         } else if answer.candidates.iter().all(|c| c.status == "not identifiable") && !answer.candidates.is_empty() {
@@ -763,15 +720,8 @@ fn finish(
         }
     } else if ambiguous {
         let of = answer.findings.iter().find(|f| !f.equivalent.is_empty());
-        let list =
-            of.map_or(String::new(), |f| f.equivalent.iter().map(|(id, place)| format!("{id} on {place}")).collect::<Vec<_>>().join(", "));
-        (
-            Verdict::Ambiguous,
-            format!(
-                "these records cannot tell {} from {list}{words}",
-                of.map_or(String::new(), |f| format!("{} on {}", f.effect, f.place))
-            ),
-        )
+        let list = of.map_or(String::new(), |f| f.equivalent.iter().map(|(id, place)| format!("{id} on {place}")).collect::<Vec<_>>().join(", "));
+        (Verdict::Ambiguous, format!("these records cannot tell {} from {list}{words}", of.map_or(String::new(), |f| format!("{} on {}", f.effect, f.place))))
     } else if contradicted || left_over.is_some() {
         (Verdict::Partial, format!("something is left that no candidate explains{words}"))
     } else {

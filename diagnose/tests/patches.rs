@@ -7,7 +7,8 @@ use jit::InProcess;
 use model_dsl::{CheckOptions, FileLoader};
 use runtime::Model;
 
-const RIGS: [&str; 9] = ["googol", "googol_mrb", "googol_identified", "furuta", "cart_pole", "emps", "aero", "quanser", "double_pendulum"];
+const RIGS: [&str; 9] =
+    ["googol", "googol_mrb", "googol_identified", "furuta", "cart_pole", "emps", "aero", "quanser", "double_pendulum"];
 
 fn base(name: &str) -> Base {
     let file = format!("{}/../examples/rigs/{name}.rig", env!("CARGO_MANIFEST_DIR"));

@@ -81,9 +81,7 @@ fn maps(rig: &Rig, scales: &Scales, j: usize, names: &mut Names, out: &mut Vec<E
 
 fn timing(rig: &Rig, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
     let u = &rig.inputs[j].name;
-    for (id, entry, prefix, doc) in
-        [("input_delay", "delay", "d", "delay of the command"), ("actuator_lag", "lag", "T", "time constant of the actuator")]
-    {
+    for (id, entry, prefix, doc) in [("input_delay", "delay", "d", "delay of the command"), ("actuator_lag", "lag", "T", "time constant of the actuator")] {
         // a path has one lag
         let has = |a: &&model_dsl::rig::Actuator| a.name == *u && a.lag.is_some();
         if entry == "lag" && rig.actuators.iter().any(|a| has(&a)) {

@@ -56,10 +56,8 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
             let (speed, width) = (rounded(share * typical), rounded(0.2 * share * typical));
             let name = names.free(&format!("F_s_{q}"));
             let p = vec![parameter(&name, row.text(), true, "static friction beyond Coulomb friction")];
-            let statement = format!(
-                "torque stribeck_{q}{} on {q}: -{name} * exp(-({q}.dot / {speed} [{rate_unit}])^2) * tanh({q}.dot / {width} [{rate_unit}]);",
-                tail(k)
-            );
+            let statement =
+                format!("torque stribeck_{q}{} on {q}: -{name} * exp(-({q}.dot / {speed} [{rate_unit}])^2) * tanh({q}.dot / {width} [{rate_unit}]);", tail(k));
             out.push(add("stribeck", q, p, Some(format!("speed {speed} {rate_unit}")), statement));
         }
     }

@@ -31,9 +31,7 @@ impl fmt::Display for OwnError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Format { why } => write!(f, "{}", why.trim_end()),
-            Self::NoParameter { id } => {
-                write!(f, "the effect `{id}` has no parameter: give it one that is zero where the effect is absent")
-            }
+            Self::NoParameter { id } => write!(f, "the effect `{id}` has no parameter: give it one that is zero where the effect is absent"),
         }
     }
 }

@@ -115,9 +115,7 @@ mod tests {
 
     #[test]
     fn read_and_written() {
-        for (from, to) in
-            [("N*m", "N*m"), ("1/(kg*m)", "1/(kg*m)"), ("kg m^2/s^2", "kg*m^2/s^2"), ("rad/s^2", "1/s^2"), ("N/(m*s)", "N/(m*s)")]
-        {
+        for (from, to) in [("N*m", "N*m"), ("1/(kg*m)", "1/(kg*m)"), ("kg m^2/s^2", "kg*m^2/s^2"), ("rad/s^2", "1/s^2"), ("N/(m*s)", "N/(m*s)")] {
             assert_eq!(Text::read(from).text(), to);
         }
         assert_eq!(Text::read("N*m").by(&Text::read("1/s"), -1).text(), "N*m*s");
