@@ -285,11 +285,11 @@ pub fn diagnose(base: &Base, asked: &[ParameterSpec], train: &[Record], test: &[
             }
         }
     }
-    finish(base, &mut answer, &current, &base_state_names, &rejected, left_over, contradicted, train)?;
     if options.traces && !answer.findings.is_empty() {
         let found = &current.fitted.found;
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.mean(), train, test, options.hold);
     }
+    finish(base, &mut answer, &current, &base_state_names, &rejected, left_over, contradicted, train)?;
     answer.gap_shrink = shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
