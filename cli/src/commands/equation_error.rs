@@ -56,11 +56,12 @@ pub fn run(
         let trained = records.iter().zip(&fit.p_of_record).filter_map(|(r, p)| lay(model, (&nominal, p), r, &[], hold, false));
         let held = tests.iter().filter_map(|r| lay(model, (&nominal, &shared), r, &[], hold, true));
         let errors = fit.error_percent.iter().map(|(q, e)| format!("{q} {} %", number(*e))).collect::<Vec<_>>().join(", ");
+        let untold: Vec<&str> = fit.parameters.iter().filter(|e| e.std_error.is_none() && !e.at_bound).map(|e| e.name.as_str()).collect();
         let facts = [("ended", fit.ending.to_string()), ("equation error", way.clone()), ("error of the equations", errors)];
         let found = Identified {
             rig,
             facts: facts.map(|(n, t)| (n.to_owned(), t)).to_vec(),
-            warnings: Vec::new(),
+            warnings: if untold.is_empty() { Vec::new() } else { vec![format!("not told by the records: {}", untold.join(", "))] },
             parameters: &fit.parameters,
             correlation: None,
             train: (&judged.before, &judged.train),

@@ -159,7 +159,7 @@ fn candidates(all: &[Candidate], blocks: &mut Vec<Block>) {
     }
     let longest = all.iter().filter(|c| c.status != "not identifiable").map(|c| c.score).filter(|s| s.is_finite()).fold(0.0, f64::max);
     let row = |c: &Candidate| {
-        let sizes: Vec<String> = c.minimal_detectable.iter().map(|(n, v, u)| format!("{n} {} {u}", brief(*v))).collect();
+        let sizes: Vec<String> = c.minimal_detectable.iter().filter(|m| m.1.is_finite()).map(|(n, v, u)| format!("{n} {} {u}", brief(*v))).collect();
         let shape = c.shape.as_ref().map_or_else(String::new, |s| format!(" ({s})"));
         vec![
             Cell::Bar { share: c.score / longest, text: format!("{:.1}", c.score) },
@@ -181,10 +181,10 @@ fn candidates(all: &[Candidate], blocks: &mut Vec<Block>) {
     )));
     let (first, rest) = seen.split_at(seen.len().min(FIRST));
     blocks.push(Block::Table(Table { caption: String::new(), head: head(), rows: first.iter().map(|c| row(c)).collect() }));
-    for (title, list) in [("weaker candidates", rest), ("candidates that these records cannot show", &unseen[..])] {
+    for (title, list) in [("Weaker candidates", rest), ("Candidates that these records cannot show", &unseen[..])] {
         if !list.is_empty() {
             let table = Table { caption: String::new(), head: head(), rows: list.iter().map(|c| row(c)).collect() };
-            blocks.push(Block::Fold { title: format!("{} {title}", list.len()), blocks: vec![Block::Table(table)] });
+            blocks.push(Block::Fold { title: format!("{title} ({})", list.len()), blocks: vec![Block::Table(table)] });
         }
     }
 }

@@ -191,6 +191,9 @@ fn over(laid: &Laid, horizon: Option<f64>) -> Vec<Block> {
         let sentence = format!("the free run ends early: {}", laid.after.status);
         blocks.push(Block::Callout { tone: Tone::Warning, word: "Look at this:".to_owned(), sentence });
     }
+    if let Some(before) = laid.before.as_ref().filter(|b| b.status != Status::Completed) {
+        blocks.push(Block::Text(format!("With the starting values the free run ends early: {}.", before.status)));
+    }
     if let Some(h) = horizon {
         let text = format!(
             "The figures of this record are those of predictions {} s ahead, since its free run, shown here, says little: it amplifies every error of its initial state.",

@@ -15,7 +15,7 @@ impl Scale {
     pub fn place(&self, v: f64) -> f64 {
         if self.log {
             let v = v.max(f64::MIN_POSITIVE);
-            (v / self.from).log10() / (self.to / self.from).log10()
+            (v.log10() - self.from.log10()) / (self.to.log10() - self.from.log10())
         } else {
             (v - self.from) / (self.to - self.from)
         }
