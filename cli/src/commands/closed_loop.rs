@@ -3,7 +3,7 @@
 use crate::args::ClosedLoop;
 use crate::failure::Failure;
 use crate::output::{Answer, number, prime, table};
-use crate::pages;
+use crate::pages::{self, closed_loop::Closed};
 use crate::scenario::{Built, Machine, Scenario, Source, build};
 use control::{Run, Status, Surroundings};
 use nalgebra::DMatrix;
@@ -52,7 +52,8 @@ pub fn run(args: &ClosedLoop) -> Result<Answer, Failure> {
     let mut files = vec![args.out.display().to_string()];
     if let Some(path) = &args.report {
         let title = scenario.file.title.clone().unwrap_or_else(|| format!("{}: closed loop", plant.loaded.rig.name));
-        let page = pages::closed_loop::page(&title, &plant, &built, &run, &bench, settled, &sentence, &args.scenario);
+        let closed = Closed { title: &title, plant: &plant, built: &built, run: &run, bench: &bench, settled, ending: &sentence };
+        let page = pages::closed_loop::page(&closed, &args.scenario);
         pages::write(path, &page, args.force)?;
         files.push(path.display().to_string());
     }

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::output::{Answer, number};
 use crate::pages::{self, diagnose::Around, short};
-use crate::write::write;
+use crate::write::{permitted, write};
 use diagnose::effects::{Effect, read_own};
 use diagnose::patch::Base;
 use diagnose::{Diagnosis, Figures, Options, Step};
@@ -18,6 +18,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
+    for name in ["index.html", "model.rs"] {
+        args.out.as_ref().map_or(Ok(()), |out| permitted(&out.join(name), args.force))?;
+    }
     let loaded = load::load(&args.rig)?;
     let read = |paths: &[PathBuf]| -> Result<Vec<Record>, Failure> {
         paths.iter().map(|p| record::read(p).map_err(|e| Failure::new("C0501", e.to_string()))).collect()

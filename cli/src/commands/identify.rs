@@ -15,6 +15,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 pub fn run(args: &Identify) -> Result<Answer, Failure> {
+    args.report.as_ref().map_or(Ok(()), |path| crate::write::permitted(path, args.force))?;
     let loaded = load::load(&args.rig)?;
     let model = InProcess::new(load::equations(&loaded, Options::default())?);
     let read = |paths: &[PathBuf]| -> Result<Vec<Record>, Failure> {

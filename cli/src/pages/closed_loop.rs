@@ -1,7 +1,7 @@
 //! The page of `rig closed-loop`: references over signals, errors, inputs with their limits.
 
 use super::runs::{Traced, by_unit};
-use super::{bracketed, cell, shown, times};
+use super::{bracketed, cell, times};
 use crate::output::prime;
 use crate::scenario::{Built, Machine};
 use control::{Bench, Run, Status};
@@ -9,17 +9,27 @@ use report::{Block, Cell, Ink, Page, Plot, Series, Shape, Table, Tone};
 use runtime::Model;
 use std::path::Path;
 
-/// The page. `settled` is the time from which errors count a second time [s].
-pub fn page(
-    title: &str,
-    plant: &Machine,
-    built: &Built<'_>,
-    run: &Run,
-    bench: &Bench,
-    settled: Option<f64>,
-    ending: &str,
-    source: &Path,
-) -> Page {
+/// What is shown.
+pub struct Closed<'a> {
+    /// Title.
+    pub title: &'a str,
+    /// The rig.
+    pub plant: &'a Machine,
+    /// Its controller.
+    pub built: &'a Built<'a>,
+    /// The run.
+    pub run: &'a Run,
+    /// How it was run.
+    pub bench: &'a Bench,
+    /// Time from which errors count a second time [s].
+    pub settled: Option<f64>,
+    /// How it ended, in words.
+    pub ending: &'a str,
+}
+
+/// The page.
+pub fn page(shown: &Closed<'_>, source: &Path) -> Page {
+    let &Closed { title, plant, built, run, bench, settled, ending } = shown;
     let layout = plant.layout();
     let mut blocks = Vec::new();
     if run.status != Status::Complete {
@@ -30,7 +40,7 @@ pub fn page(
     let mut plots = Vec::new();
     let mut others = Vec::new();
     for (i, output) in layout.outputs.iter().enumerate() {
-        let (factor, unit) = shown(&output.unit);
+        let (factor, unit) = super::shown(&output.unit);
         let column = |rows: &[Vec<f64>]| rows.iter().map(|r| r[i]).collect::<Vec<f64>>();
         let reference: Vec<f64> = run.references.iter().map(|r| r[i].map_or(f64::NAN, |r| r.0)).collect();
         let truth = column(&run.y);
@@ -82,7 +92,7 @@ pub fn page(
 fn errors(plant: &Machine, run: &Run, settled: Option<f64>) -> Block {
     let mut rows = Vec::new();
     for (i, output) in plant.layout().outputs.iter().enumerate() {
-        let (factor, unit) = shown(&output.unit);
+        let (factor, unit) = super::shown(&output.unit);
         let Some((mean, rms)) = run.errors(i, 0.0) else { continue };
         let mut row = vec![Cell::Text(output.name.clone()), cell(mean * factor), cell(rms * factor)];
         if let Some(from) = settled {
@@ -112,7 +122,7 @@ fn inputs(plant: &Machine, run: &Run, bench: &Bench) -> Vec<Plot> {
     (0..layout.inputs)
         .map(|i| {
             let variable = &layout.u[i];
-            let (factor, unit) = shown(&variable.unit);
+            let (factor, unit) = super::shown(&variable.unit);
             let values: Vec<f64> = run.u.iter().map(|u| factor * u[i]).collect();
             let (lo, hi) = plant.model.input_path(i, plant.p()).limits;
             let levels: Vec<f64> = [lo, hi].into_iter().filter(|l| bench.limits && l.is_finite()).map(|l| l * factor).collect();

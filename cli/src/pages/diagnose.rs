@@ -159,7 +159,8 @@ fn candidates(all: &[Candidate], blocks: &mut Vec<Block>) {
     }
     let longest = all.iter().filter(|c| c.status != "not identifiable").map(|c| c.score).filter(|s| s.is_finite()).fold(0.0, f64::max);
     let row = |c: &Candidate| {
-        let sizes: Vec<String> = c.minimal_detectable.iter().filter(|m| m.1.is_finite()).map(|(n, v, u)| format!("{n} {} {u}", brief(*v))).collect();
+        let sizes: Vec<String> =
+            c.minimal_detectable.iter().filter(|m| m.1.is_finite()).map(|(n, v, u)| format!("{n} {} {u}", brief(*v))).collect();
         let shape = c.shape.as_ref().map_or_else(String::new, |s| format!(" ({s})"));
         vec![
             Cell::Bar { share: c.score / longest, text: format!("{:.1}", c.score) },
@@ -272,6 +273,10 @@ fn figures(found: &Diagnosis, blocks: &mut Vec<Block>) {
             .collect();
         let caption = "The gap, as far as it stood above the noise, shrunk on records that were not used:".to_owned();
         blocks.push(Block::Table(Table { caption, head: Vec::new(), rows }));
+    }
+    if found.before.train.iter().chain(&found.before.test).any(|f| f.horizon.is_some()) {
+        let text = "Figures are those of predictions where a free run says little; the runs below are free, and may drift off for no fault of the model.";
+        blocks.push(Block::Text(text.to_owned()));
     }
     for held_out in [true, false] {
         let plots: Vec<Plot> = found
