@@ -138,6 +138,9 @@ pub struct Linearize {
     /// Write A, B, C, D and the operating point for MATLAB, Octave or SciPy.
     #[arg(long, value_name = "FILE.mat|FILE.m")]
     pub export: Option<PathBuf>,
+    /// Write a page with tables and plots (HTML, complete in itself).
+    #[arg(long, value_name = "FILE.html")]
+    pub report: Option<PathBuf>,
     /// Overwrite a file that is not ours.
     #[arg(long)]
     pub force: bool,
@@ -206,6 +209,9 @@ pub struct Lqr {
     /// Language of that.
     #[arg(long, value_enum, default_value = "rust")]
     pub lang: Language,
+    /// Write a page with tables and plots (HTML, complete in itself).
+    #[arg(long, value_name = "FILE.html")]
+    pub report: Option<PathBuf>,
     /// Overwrite files that are not ours.
     #[arg(long)]
     pub force: bool,
@@ -232,6 +238,9 @@ pub struct Simulate {
     /// Show outputs as encoders do: in counts, and wrapped.
     #[arg(long)]
     pub encoders: bool,
+    /// Write a page with tables and plots (HTML, complete in itself).
+    #[arg(long, value_name = "FILE.html")]
+    pub report: Option<PathBuf>,
     /// Overwrite the output file.
     #[arg(long)]
     pub force: bool,
@@ -248,6 +257,9 @@ pub struct ClosedLoop {
     /// Another value for a key of the scenario, as TOML: `encoders=false`, `controller.integrate=["eps"]`.
     #[arg(long = "with", value_name = "KEY=VALUE")]
     pub with: Vec<String>,
+    /// Write a page with tables and plots (HTML, complete in itself).
+    #[arg(long, value_name = "FILE.html")]
+    pub report: Option<PathBuf>,
     /// Overwrite the output file.
     #[arg(long)]
     pub force: bool,
@@ -477,6 +489,12 @@ pub struct Identify {
     /// What logged inputs do between samples.
     #[arg(long, value_enum, default_value = "zero")]
     pub hold: Hold,
+    /// Write a page with tables and plots (HTML, complete in itself).
+    #[arg(long, value_name = "FILE.html")]
+    pub report: Option<PathBuf>,
+    /// Overwrite a file that is not ours.
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Steps after which a diagnosis can stop.

@@ -2,10 +2,12 @@
 
 mod args;
 mod commands;
+mod control_change;
 mod failure;
 mod load;
 mod operating;
 mod output;
+mod pages;
 mod point;
 mod scenario;
 mod snapshot;

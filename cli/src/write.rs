@@ -11,14 +11,27 @@ pub fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
     write_bytes(path, text.as_bytes(), force)
 }
 
+/// Refuses early what [`write`] would refuse: before work whose result has to go there.
+pub fn permitted(path: &Path, force: bool) -> Result<(), Failure> {
+    let foreign = match std::fs::read(path) {
+        Ok(old) => !marked(&old),
+        Err(_) => path.exists(),
+    };
+    if foreign && !force { Err(refuse(path)) } else { Ok(()) }
+}
+
+/// It carries our mark.
+fn marked(old: &[u8]) -> bool {
+    String::from_utf8_lossy(old).lines().take(8).any(|line| line.contains(MARK))
+}
+
 /// The same for a file that is no text; its mark stands in the first of its bytes.
 pub fn write_bytes(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
     if let Ok(old) = std::fs::read(path) {
         if old == bytes {
             return Ok(());
         }
-        let ours = String::from_utf8_lossy(&old).lines().take(8).any(|line| line.contains(MARK));
-        if !ours && !force {
+        if !marked(&old) && !force {
             return Err(refuse(path));
         }
     } else if path.exists() && !force {

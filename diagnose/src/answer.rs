@@ -150,6 +150,57 @@ pub struct Moved {
     pub after: (f64, f64),
 }
 
+/// A signal over the samples of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Traced {
+    /// State or input.
+    pub name: String,
+    /// Unit.
+    pub unit: String,
+    /// Values (SI).
+    pub values: Vec<f64>,
+}
+
+/// What pushed the rig beside its model, in one equation over one training record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pushed {
+    /// Record.
+    pub record: String,
+    /// Coordinate whose equation it is.
+    pub equation: String,
+    /// Unit of the disturbance.
+    pub unit: String,
+    /// Times [s].
+    pub t: Vec<f64>,
+    /// Smoothed disturbance.
+    pub force: Vec<f64>,
+    /// Its standard error.
+    pub sd: Vec<f64>,
+    /// Coordinates, rates and inputs that it may depend on.
+    pub against: Vec<Traced>,
+}
+
+/// Free runs laid over one output of one record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Overlaid {
+    /// Record.
+    pub record: String,
+    /// It is a test record.
+    pub held_out: bool,
+    /// Output.
+    pub signal: String,
+    /// Unit.
+    pub unit: String,
+    /// Times [s].
+    pub t: Vec<f64>,
+    /// Measured (SI).
+    pub measured: Vec<f64>,
+    /// The refitted base, as far as its run came (SI).
+    pub before: Vec<f64>,
+    /// The patched model; `None` without effects.
+    pub after: Option<Vec<f64>>,
+}
+
 /// Everything.
 #[derive(Clone, Debug)]
 pub struct Diagnosis {
@@ -183,6 +234,10 @@ pub struct Diagnosis {
     pub next_experiment: Option<String>,
     /// Files of the patched rig: name and text, the rig's own first; empty without effects.
     pub patched: Vec<(String, String)>,
+    /// What pushed the rig; empty unless asked for.
+    pub pushed: Vec<Pushed>,
+    /// Runs; empty unless asked for.
+    pub runs: Vec<Overlaid>,
     /// Seconds.
     pub seconds: f64,
 }

@@ -21,8 +21,9 @@ pub mod patch;
 mod quality;
 mod screen;
 mod shapes;
+mod traces;
 mod workflow;
 
-pub use answer::{Candidate, Diagnosis, EffectValue, Figure, Figures, Finding, Moved, Place, Verdict};
+pub use answer::{Candidate, Diagnosis, EffectValue, Figure, Figures, Finding, Moved, Overlaid, Place, Pushed, Traced, Verdict};
 pub use chance::Chance;
 pub use workflow::{DiagnoseError, Method, Options, Step, diagnose};

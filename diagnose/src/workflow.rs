@@ -14,6 +14,7 @@ use crate::patch::{Base, PatchError, Written, check, compose, digits};
 use crate::quality::{averaged, integrates, look, mended, mistaken, strangers, stride};
 use crate::screen::{SAME, Score, ScreenOptions, Seen, UNIQUE, cosine, screen};
 use crate::shapes::unnamed;
+use crate::traces;
 use ident::fit::{FitError, ParameterSpec};
 use ident::innovations::{Noise, Track};
 use ident::record::Record;
@@ -40,6 +41,8 @@ pub struct Options<'a> {
     pub until: Step,
     /// Which parts of the method are used.
     pub method: Method,
+    /// Series that show the answer are handed over too.
+    pub traces: bool,
     /// Told what is going on.
     pub progress: &'a (dyn Fn(&str) + Sync),
 }
@@ -87,6 +90,7 @@ impl Default for Options<'_> {
             own: Vec::new(),
             until: Step::Patch,
             method: Method::default(),
+            traces: false,
             progress: &|_| {},
         }
     }
@@ -221,6 +225,10 @@ pub fn diagnose(
     answer.noise = Some(fitted.found.noise.clone());
     tell("where do they disagree? ..");
     answer.places = locate(&plain, &fitted.found.p, &fitted.found.noise, &tracks)?;
+    if options.traces {
+        answer.pushed = traces::pushed(&plain, &fitted.found.p, &fitted.found.noise, &tracks, train)?;
+        answer.runs = traces::before(&plain.model, &fitted.found.p, &fitted.mean(), train, test, options.hold);
+    }
     if options.until == Step::Where {
         "stopped after the base fit".clone_into(&mut answer.because);
         answer.seconds = began.elapsed().as_secs_f64();
@@ -294,6 +302,10 @@ pub fn diagnose(
             }
         }
     }
+    if options.traces && !answer.findings.is_empty() {
+        let found = &current.fitted.found;
+        traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.mean(), train, test, options.hold);
+    }
     finish(base, &mut answer, &current, &base_state_names, &rejected, left_over, contradicted, train)?;
     answer.gap_shrink =
         shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &held, &base_figures, &answer.after);
@@ -318,6 +330,8 @@ fn empty() -> Diagnosis {
         noise: None,
         next_experiment: None,
         patched: Vec::new(),
+        pushed: Vec::new(),
+        runs: Vec::new(),
         seconds: 0.0,
     }
 }

@@ -3,6 +3,7 @@
 use crate::args::ClosedLoop;
 use crate::failure::Failure;
 use crate::output::{Answer, number, prime, table};
+use crate::pages::{self, closed_loop::Closed};
 use crate::scenario::{Built, Machine, Scenario, Source, build};
 use control::{Run, Status, Surroundings};
 use nalgebra::DMatrix;
@@ -48,7 +49,15 @@ pub fn run(args: &ClosedLoop) -> Result<Answer, Failure> {
     for (input, share) in layout.u.iter().zip(&run.saturated_percent) {
         let _ = writeln!(text, "{} at a limit in {share:.1} % of the samples", input.name);
     }
-    let _ = writeln!(text, "wrote {}", args.out.display());
+    let mut files = vec![args.out.display().to_string()];
+    if let Some(path) = &args.report {
+        let title = scenario.file.title.clone().unwrap_or_else(|| format!("{}: closed loop", plant.loaded.rig.name));
+        let closed = Closed { title: &title, plant: &plant, built: &built, run: &run, bench: &bench, settled, ending: &sentence };
+        let page = pages::closed_loop::page(&closed, &args.scenario);
+        pages::write(path, &page, args.force)?;
+        files.push(path.display().to_string());
+    }
+    let _ = writeln!(text, "wrote {}", files.join(", "));
 
     let tracked = |from: f64, which: fn((f64, f64)) -> f64| -> Value {
         let each = layout.outputs.iter().enumerate().filter_map(|(i, o)| Some((o.name.clone(), json!(which(run.errors(i, from)?)))));
@@ -71,7 +80,8 @@ pub fn run(args: &ClosedLoop) -> Result<Answer, Failure> {
         "inputs": built.gain.inputs,
         "trim": built.found.json(&design.loaded, design.layout()),
         "final_state": run.x.last(),
-        "files": [args.out.display().to_string()],
+        "files": files,
+        "report": args.report.as_ref().map(|p| p.display().to_string()),
     });
     if let Some(from) = settled {
         json["settled"] = json!({"from": from, "mean_abs_error": tracked(from, |e| e.0), "rms_error": tracked(from, |e| e.1)});

@@ -1,10 +1,13 @@
 //! `rig diagnose`: where simulation and record disagree, the missing effect, and the gap with it.
 
-use crate::args::{Diagnose, Steps};
+use crate::args::{Diagnose, Hold, Steps};
+use crate::commands::linearize::source_name;
+use crate::control_change::{self, Change};
 use crate::failure::Failure;
-use crate::load;
+use crate::load::{self, Loaded};
 use crate::output::{Answer, number};
-use crate::write::write;
+use crate::pages::{self, diagnose::Around, short};
+use crate::write::{permitted, write};
 use diagnose::effects::{Effect, read_own};
 use diagnose::patch::Base;
 use diagnose::{Diagnosis, Figures, Options, Step};
@@ -15,6 +18,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
+    for name in ["index.html", "model.rs"] {
+        args.out.as_ref().map_or(Ok(()), |out| permitted(&out.join(name), args.force))?;
+    }
     let loaded = load::load(&args.rig)?;
     let read = |paths: &[PathBuf]| -> Result<Vec<Record>, Failure> {
         paths.iter().map(|p| record::read(p).map_err(|e| Failure::new("C0501", e.to_string()))).collect()
@@ -24,6 +30,7 @@ pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
     let names = |list: &[String]| list.iter().map(|s| s.trim().to_owned()).collect::<Vec<_>>();
     let free = (!args.free.is_empty()).then(|| names(&args.free));
     select(&mut specs, free.as_deref(), &names(&args.fix)).map_err(|e| Failure::new("C0504", e.to_string()))?;
+    let with_trim = !loaded.rig.trims.is_empty();
     let base = Base { rig: loaded.rig, sources: loaded.checked.sources };
     let own = args.catalogue.as_deref().map(own_effects).transpose()?.unwrap_or_default();
     let options = Options {
@@ -37,6 +44,7 @@ pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
             Steps::Screen => Step::Screen,
             Steps::Patch => Step::Patch,
         },
+        traces: args.out.is_some(),
         progress: &|message| eprintln!("{message}"),
         ..Options::default()
     };
@@ -44,11 +52,25 @@ pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
     let mut text = words(&base.rig.name, &train, &test, &found);
     let mut document = document(&found);
     if let Some(out) = &args.out {
-        let files = write_patched(out, &args.rig.file, &found, args.force)?;
+        let mut files = write_patched(out, &args.rig.file, &found, args.force)?;
+        document["patched_model"] = json!(files.first().map(|f| f.display().to_string()));
+        let control = match files.first().cloned() {
+            Some(patched) => regenerate(args, &patched, out, with_trim, &mut files)?,
+            None => None,
+        };
+        if let Some(Ok(change)) = &control {
+            document["control"] = change.json();
+        }
+        let records: Vec<&Path> = args.data.iter().chain(&args.test).map(PathBuf::as_path).collect();
+        let around =
+            Around { rig: &base.rig.name, source: &args.rig.file, records: &records, options: asked(args), texts: texts(&found), control };
+        let path = out.join("index.html");
+        pages::write(&path, &pages::diagnose::page(&found, &around), args.force)?;
+        document["report"] = json!(path.display().to_string());
+        files.push(path);
         for file in &files {
             let _ = writeln!(text, "wrote      {}", file.display());
         }
-        document["patched_model"] = json!(files.first().map(|f| f.display().to_string()));
     }
     Ok(Answer { text, json: document })
 }
@@ -58,10 +80,53 @@ fn own_effects(path: &Path) -> Result<Vec<Effect>, Failure> {
     read_own(&text).map_err(|e| Failure::new("C0702", format!("{}: {e}", path.display())))
 }
 
+/// The model of the patched rig, written beside it, and what it means for a regulator where the rig has a trim.
+fn regenerate(
+    args: &Diagnose,
+    patched: &Path,
+    out: &Path,
+    with_trim: bool,
+    files: &mut Vec<PathBuf>,
+) -> Result<Option<Result<Change, String>>, Failure> {
+    let rig = &args.rig;
+    let load = |path: &Path| load::load_path(path, rig.rig.as_deref(), &rig.set, rig.expand_lumps);
+    let new = load(patched)?;
+    let equations = load::equations(&new, codegen::Options::default())?;
+    let path = out.join("model.rs");
+    write(&path, &codegen::emit::rust(&equations, &source_name(patched)), args.force)?;
+    files.push(path);
+    let change = |new: &Loaded| control_change::change(&load(&rig.file)?, new);
+    Ok(with_trim.then(|| change(&new).map_err(|failure| failure.text)))
+}
+
+/// Texts that differ from those that were read.
+fn texts(found: &Diagnosis) -> Vec<(String, String, String)> {
+    let read = found.patched.iter().filter_map(|(file, new)| Some((short_file(file), std::fs::read_to_string(file).ok()?, new.clone())));
+    read.filter(|(_, old, new)| old != new).collect()
+}
+
+/// What was asked for, as the report says it.
+fn asked(args: &Diagnose) -> Vec<(String, String)> {
+    let named = |list: &[PathBuf]| list.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ");
+    let hold = if matches!(args.hold, Hold::Zero) { "zero" } else { "first" };
+    let all = [
+        ("training records", named(&args.data)),
+        ("test records", named(&args.test)),
+        ("seed", args.seed.to_string()),
+        ("hold of inputs", hold.to_owned()),
+        ("set", args.rig.set.join(", ")),
+        ("free", args.free.join(", ")),
+        ("fix", args.fix.join(", ")),
+        ("effects", args.effects.join(", ")),
+        ("catalogue", args.catalogue.as_ref().map_or_else(String::new, |c| c.display().to_string())),
+    ];
+    all.into_iter().filter(|(_, text)| !text.is_empty()).map(|(name, text)| (name.to_owned(), text)).collect()
+}
+
 /// Writes the patched rig and the files that it uses, side by side.
 fn write_patched(out: &Path, rig: &Path, found: &Diagnosis, force: bool) -> Result<Vec<PathBuf>, Failure> {
     let mut written = Vec::new();
-    let name = |file: &str| Path::new(file).file_name().map_or_else(|| file.to_owned(), |n| n.to_string_lossy().into_owned());
+    let name = short_file;
     for (k, (file, text)) in found.patched.iter().enumerate() {
         let stem = rig.file_stem().map_or_else(|| "rig".to_owned(), |s| s.to_string_lossy().into_owned());
         let target = out.join(if k == 0 { format!("{stem}.patched.rig") } else { name(file) });
@@ -84,9 +149,9 @@ fn write_patched(out: &Path, rig: &Path, found: &Diagnosis, force: bool) -> Resu
     Ok(written)
 }
 
-/// A name of a record that fits a table.
-fn short(source: &str) -> String {
-    Path::new(source).file_stem().map_or_else(|| source.to_owned(), |s| s.to_string_lossy().into_owned())
+/// A file's name without its folder.
+fn short_file(file: &str) -> String {
+    Path::new(file).file_name().map_or_else(|| file.to_owned(), |n| n.to_string_lossy().into_owned())
 }
 
 fn percent(figures: &[diagnose::Figure]) -> String {

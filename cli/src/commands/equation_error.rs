@@ -1,9 +1,13 @@
 //! `rig identify --method equation-error`: estimates without a run of the model, judged by its free runs all the same.
 
-use super::identify::{each, estimates, followed, horizons};
+use super::identify::{each, estimates, followed, horizons, paths, report};
 use crate::args::Identify;
 use crate::failure::Failure;
 use crate::output::{Answer, number};
+use crate::pages::{
+    self,
+    identify::{Identified, lay},
+};
 use ident::fit::{EquationErrorFit, ParameterSpec, Preparation, RecordFigures, equation_error, figures};
 use ident::record::Record;
 use runtime::Model;
@@ -46,7 +50,27 @@ pub fn run(
         ),
         Preparation::WeakForm { window } => format!("weak form, test functions of {window} samples"),
     };
-    Ok(Answer { text: words(rig, &way, &fit, &judged), json: document(rig, &way, &fit, &judged) })
+    let mut answer = Answer { text: words(rig, &way, &fit, &judged), json: document(rig, &way, &fit, &judged) };
+    report(args, &mut answer, || {
+        let hold = args.hold.into();
+        let trained = records.iter().zip(&fit.p_of_record).filter_map(|(r, p)| lay(model, (&nominal, p), r, &[], hold, false));
+        let held = tests.iter().filter_map(|r| lay(model, (&nominal, &shared), r, &[], hold, true));
+        let errors = fit.error_percent.iter().map(|(q, e)| format!("{q} {} %", number(*e))).collect::<Vec<_>>().join(", ");
+        let untold: Vec<&str> = fit.parameters.iter().filter(|e| e.std_error.is_none() && !e.at_bound).map(|e| e.name.as_str()).collect();
+        let facts = [("ended", fit.ending.to_string()), ("equation error", way.clone()), ("error of the equations", errors)];
+        let found = Identified {
+            rig,
+            facts: facts.map(|(n, t)| (n.to_owned(), t)).to_vec(),
+            warnings: if untold.is_empty() { Vec::new() } else { vec![format!("not told by the records: {}", untold.join(", "))] },
+            parameters: &fit.parameters,
+            correlation: None,
+            train: (&judged.before, &judged.train),
+            test: (&judged.before_test, &judged.test),
+            runs: trained.chain(held).collect(),
+        };
+        pages::identify::page(&found, &args.rig.file, &paths(args), None)
+    })?;
+    Ok(answer)
 }
 
 /// Free runs with the estimates and with the starting values.

@@ -5,15 +5,17 @@ use crate::args::{Identify, Method};
 use crate::failure::Failure;
 use crate::load;
 use crate::output::{Answer, number, prime};
+use crate::pages;
 use codegen::Options;
 use ident::fit::{Estimate, Fit, FitOptions, InitialStates, Known, Loss, ParameterSpec, RecordFigures, SignalFigure, identify, select};
 use ident::record::{self, Record};
 use jit::InProcess;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub fn run(args: &Identify) -> Result<Answer, Failure> {
+    args.report.as_ref().map_or(Ok(()), |path| crate::write::permitted(path, args.force))?;
     let loaded = load::load(&args.rig)?;
     let model = InProcess::new(load::equations(&loaded, Options::default())?);
     let read = |paths: &[PathBuf]| -> Result<Vec<Record>, Failure> {
@@ -41,7 +43,78 @@ pub fn run(args: &Identify) -> Result<Answer, Failure> {
     };
     eprintln!("fitting {} parameters to {} records ..", specs.iter().filter(|s| s.free).count(), records.len());
     let fit = identify(&model, &specs, &records, &tests, &options).map_err(failed)?;
-    Ok(Answer { text: words(&loaded.rig.name, &fit), json: document(&loaded.rig.name, &fit) })
+    let mut answer = Answer { text: words(&loaded.rig.name, &fit), json: document(&loaded.rig.name, &fit) };
+    report(args, &mut answer, || page(args, &loaded.rig.name, &model, &fit, (&records, &tests)))?;
+    Ok(answer)
+}
+
+/// Writes the page that was asked for.
+pub(super) fn report(args: &Identify, answer: &mut Answer, page: impl FnOnce() -> report::Page) -> Result<(), Failure> {
+    answer.json["report"] = json!(args.report.as_ref().map(|p| p.display().to_string()));
+    if let Some(path) = &args.report {
+        pages::write(path, &page(), args.force)?;
+        let _ = writeln!(answer.text, "wrote {}", path.display());
+    }
+    Ok(())
+}
+
+fn page(args: &Identify, rig: &str, model: &InProcess, fit: &Fit, (records, tests): (&[Record], &[Record])) -> report::Page {
+    let nominal = &model.equations().layout.nominal;
+    let hold = args.hold.into();
+    let states: Vec<&str> = model.equations().layout.x().map(|v| v.name.as_str()).collect();
+    let mut runs = Vec::new();
+    for (record, p) in records.iter().zip(&fit.p_of_record) {
+        let own = fit.initial_states.iter().filter(|s| s.record == record.source);
+        let initial: Vec<(usize, f64)> = own.filter_map(|s| Some((states.iter().position(|n| *n == s.state)?, s.value))).collect();
+        runs.extend(pages::identify::lay(model, (nominal, p), record, &initial, hold, false));
+    }
+    runs.extend(tests.iter().filter_map(|record| pages::identify::lay(model, (nominal, &fit.p), record, &[], hold, true)));
+    let facts = [
+        ("ended", format!("{}, {} evaluations, from the {} start", fit.ending, fit.evaluations, fit.started_from)),
+        ("minimized", fit.objective.clone()),
+        ("cost", number(fit.cost)),
+        ("intervals", fit.intervals.clone()),
+        ("told", format!("{} of {} directions", fit.identifiable.rank, fit.identifiable.of)),
+    ];
+    let found = pages::identify::Identified {
+        rig,
+        facts: facts.map(|(n, t)| (n.to_owned(), t)).to_vec(),
+        warnings: warnings(fit),
+        parameters: &fit.parameters,
+        correlation: Some(&fit.correlation),
+        train: (&fit.before, &fit.train),
+        test: (&fit.before_test, &fit.test),
+        runs,
+    };
+    pages::identify::page(&found, &args.rig.file, &paths(args), Some(format!("{} s", number(fit.seconds))))
+}
+
+/// Files of the records.
+pub(super) fn paths(args: &Identify) -> Vec<&Path> {
+    args.data.iter().chain(&args.test).map(PathBuf::as_path).collect()
+}
+
+/// What a reader should not miss.
+fn warnings(fit: &Fit) -> Vec<String> {
+    let mut list = Vec::new();
+    let told = &fit.identifiable;
+    if !told.dead.is_empty() {
+        list.push(format!("without effect on the records: {}", told.dead.join(", ")));
+    }
+    for t in &told.trade_offs {
+        let members: Vec<String> = t.members.iter().map(|(n, w)| format!("{} {n}", number(*w))).collect();
+        list.push(format!("only {} is told: along {} nothing changes", t.name, members.join(", ")));
+    }
+    let bound: Vec<&str> = fit.parameters.iter().filter(|e| e.at_bound).map(|e| e.name.as_str()).collect();
+    if !bound.is_empty() {
+        list.push(format!("at a bound: {}", bound.join(", ")));
+    }
+    let mut coloured: Vec<&str> = fit.whiteness.iter().filter(|w| w.p_value < 0.01).map(|w| w.output.as_str()).collect();
+    coloured.dedup();
+    if !coloured.is_empty() {
+        list.push(format!("errors are not white in {}: the model does not explain all of them", coloured.join(", ")));
+    }
+    list
 }
 
 fn words(rig: &str, fit: &Fit) -> String {

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::load::{self, Loaded, unknown};
 use crate::operating::{self, Found};
 use crate::output::{Answer, number, poles_in_words, prime, table};
+use crate::pages;
 use crate::sweep::Sweep;
 use crate::workspace::{Item, Workspace};
 use codegen::{Options, direction_by_name};
@@ -74,7 +75,13 @@ pub fn run(args: &Linearize) -> Result<Answer, Failure> {
         let _ = writeln!(text, "wrote {}", path.display());
         written.push(path.display().to_string());
     }
-    let json = json!({"rig": loaded.rig.name, "states": states, "inputs": inputs.names, "outputs": outputs, "points": documents, "files": written});
+    if let Some(path) = &args.report {
+        let source = pages::linear::Source { loaded: &loaded, layout, file: &args.rig.file, inputs: &inputs.names, sweep: sweep.as_ref() };
+        pages::write(path, &pages::linear::linearize(&source, &models), args.force)?;
+        let _ = writeln!(text, "wrote {}", path.display());
+        written.push(path.display().to_string());
+    }
+    let json = json!({"report": args.report.as_ref().map(|p| p.display().to_string()), "rig": loaded.rig.name, "states": states, "inputs": inputs.names, "outputs": outputs, "points": documents, "files": written});
     Ok(Answer { text, json })
 }
 

@@ -5,6 +5,7 @@ use crate::commands::linearize::{Inputs, Linearized, add_models, add_names, at_p
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::output::{Answer, number, poles_in_words, prime, table};
+use crate::pages;
 use crate::sweep::Sweep;
 use crate::workspace::{Item, Workspace};
 use codegen::Options;
@@ -28,6 +29,7 @@ pub fn run(args: &Arguments) -> Result<Answer, Failure> {
     let points = sweep.as_ref().map_or_else(|| vec![args.point.clone()], |s| s.points.clone());
     let design = design(args)?;
     let mut designs: Vec<(Linearized, Lqr)> = Vec::new();
+    let mut plants: Vec<Plant> = Vec::new();
     let mut text = String::new();
     let mut left_out = false;
     for point in &points {
@@ -40,6 +42,7 @@ pub fn run(args: &Arguments) -> Result<Answer, Failure> {
             text.push_str(&one(&found, left_out));
         }
         designs.push((linear, found));
+        plants.push(plant);
     }
     if let Some(sweep) = &sweep {
         text.push_str(&swept(sweep, &inputs, &designs, left_out));
@@ -61,6 +64,11 @@ pub fn run(args: &Arguments) -> Result<Answer, Failure> {
             written.push(path.display().to_string());
         }
     }
+    if let Some(path) = &args.report {
+        let source = pages::linear::Source { loaded: &loaded, layout, file: &args.rig.file, inputs: &inputs.names, sweep: sweep.as_ref() };
+        pages::write(path, &pages::linear::lqr(&source, &designs, &plants), args.force)?;
+        written.push(path.display().to_string());
+    }
     if !written.is_empty() {
         let _ = writeln!(text, "wrote {}", written.join(", "));
     }
@@ -72,6 +80,7 @@ pub fn run(args: &Arguments) -> Result<Answer, Failure> {
         }
     };
     json["files"] = json!(written);
+    json["report"] = json!(args.report.as_ref().map(|p| p.display().to_string()));
     Ok(Answer { text, json })
 }
 

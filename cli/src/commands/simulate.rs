@@ -4,6 +4,7 @@ use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::load;
 use crate::output::{Answer, number};
+use crate::pages;
 use crate::point::Given;
 use codegen::Options;
 use ident::record;
@@ -51,7 +52,13 @@ pub fn run(args: &Simulate) -> Result<Answer, Failure> {
     for (variable, value) in layout.x().zip(&last) {
         let _ = writeln!(text, "  {:14} {:>12} {}", crate::output::prime(&variable.name), number(*value), variable.unit);
     }
-    let _ = writeln!(text, "wrote {}", args.out.display());
+    let mut files = vec![args.out.display().to_string()];
+    if let Some(path) = &args.report {
+        let page = pages::runs::page(&loaded.rig.name, layout, &signals, &run, &args.rig.file, &args.input);
+        pages::write(path, &page, args.force)?;
+        files.push(path.display().to_string());
+    }
+    let _ = writeln!(text, "wrote {}", files.join(", "));
     let json = json!({
         "rig": loaded.rig.name,
         "samples": run.t.len(),
@@ -61,7 +68,8 @@ pub fn run(args: &Simulate) -> Result<Answer, Failure> {
         "status_text": run.status.to_string(),
         "valid_until": run.valid_until,
         "steps": run.steps,
-        "files": [args.out.display().to_string()],
+        "files": files,
+        "report": args.report.as_ref().map(|p| p.display().to_string()),
     });
     Ok(Answer { text, json })
 }
