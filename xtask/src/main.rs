@@ -13,13 +13,15 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let rest = arguments.get(1..).unwrap_or(&[]);
-    let result = match arguments.first().map(String::as_str) {
-        Some("gen") => gen_models::run(rest),
-        Some("gallery") => gallery::run(rest),
-        Some("witness") => witness::run(rest),
-        Some("oracle") => oracle::run(rest),
-        _ => Err("usage: cargo xtask gen [--check] | gallery [--check] | witness | oracle [--check | --riccati] [--python PROGRAM]".to_owned()),
-    };
+    let result =
+        match arguments.first().map(String::as_str) {
+            Some("gen") => gen_models::run(rest),
+            Some("gallery") => gallery::run(rest),
+            Some("witness") => witness::run(rest),
+            Some("oracle") => oracle::run(rest),
+            _ => Err("usage: cargo xtask gen [--check] | gallery [--check] | witness | oracle [--check | --riccati] [--python PROGRAM]"
+                .to_owned()),
+        };
     match result {
         Ok(said) => {
             println!("{said}");
