@@ -89,8 +89,8 @@ fn what_is_not_read_says_what_to_do() {
         "{text}"
     );
     assert_eq!(read_mat(b"\x89HDF\r\n\x1a\nxxxx"), Err(MatError::Level73));
-    assert_eq!(message(b"t,theta\n0,1\n"), "this is no MAT file of level 4 or 5");
-    assert_eq!(message(b""), "this is no MAT file of level 4 or 5");
+    assert_eq!(message(b"t,theta\n0,1\n"), "this is no MAT file of level 4 or 5; a text file needs the ending `.csv` or `.txt`");
+    assert_eq!(message(b""), "this is no MAT file of level 4 or 5; a text file needs the ending `.csv` or `.txt`");
     let cut = &std::fs::read(made("level4.mat")).unwrap()[..100];
     assert_eq!(message(cut), "the file ends inside of the variable `double` (5 x 3), which begins at byte 0; it was not copied completely");
     let cut = &std::fs::read(made("level5.mat")).unwrap()[..200];

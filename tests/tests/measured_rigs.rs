@@ -20,7 +20,7 @@ fn bench(rig: &str, free: &str, records: &[&str]) -> Option<Bench> {
         return None;
     };
     println!("record test: ran {rig}");
-    let rig = rig_of(&root().join(format!("examples/rigs/{rig}.rig")));
+    let rig = rig_of(&root().join(format!("examples/{rig}.rig")));
     let mut specs = ParameterSpec::of_rig(&rig);
     if !free.is_empty() {
         let free: Vec<String> = free.split(',').map(str::to_owned).collect();
@@ -142,7 +142,7 @@ fn imperial_helicopter_contradicts_its_published_balance() {
 #[test]
 fn double_pendulum_on_its_other_trajectory() {
     let records = ["double_pendulum_dfki_designA_trajectory_03", "double_pendulum_dfki_designA_trajectory_11"];
-    let Some(bench) = bench("double_pendulum", "m_2,r_2,I_1,I_2,I_r,c_f1,c_f2,b_1,b_2", &records) else { return };
+    let Some(bench) = bench("rigs/double_pendulum", "m_2,r_2,I_1,I_2,I_r,c_f1,c_f2,b_1,b_2", &records) else { return };
     let options = FitOptions { shooting: Some(1.0), joined: false, horizon: Some(0.5), ..FitOptions::default() };
     let held_out = bench.output_error(1, &options);
     assert!(fit(&held_out[0], "q1") > 80.0 && fit(&held_out[0], "q2") > 55.0);
@@ -153,7 +153,7 @@ const EMPS: [(&str, f64); 4] = [("M", 95.1089), ("F_v", 203.5034), ("F_c", 20.39
 
 #[test]
 fn emps_by_equation_error_as_published() {
-    let Some(mut bench) = bench("emps", "", &["emps_DATA_EMPS"]) else { return };
+    let Some(mut bench) = bench("rigs/emps", "", &["emps_DATA_EMPS"]) else { return };
     // the published regressor has the sharp law
     bench.set("v_c", 1e-5);
     let preparation = Preparation::Filtered { cutoff: 100.0, order: 4, decimate: 10 };
