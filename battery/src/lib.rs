@@ -3,6 +3,8 @@
 //! `truth` simulates, by code that the fitting side does not have; `rigs` are the six rigs, `conditions` the experiments and what is wrong
 //! with them, `hide` hides effects, `run` makes one run, `rows` lists the runs of a row, `table` counts; `examples` are the
 //! records of `examples/hidden`.
+// dynamics are written by index, as in the books
+#![allow(clippy::needless_range_loop)]
 #![forbid(unsafe_code)]
 
 pub mod conditions;

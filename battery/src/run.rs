@@ -155,7 +155,7 @@ fn families(rig: Rig, number: u64) -> Vec<&'static str> {
         }),
         Rig::Helicopter if number % 2 == 1 => flying.to_vec(),
         Rig::Helicopter => first.into_iter().filter(|id| *id != "asymmetric_friction" && *id != "sensor_delay").collect(),
-        _ if number % 2 == 0 => first.to_vec(),
+        _ if number.is_multiple_of(2) => first.to_vec(),
         _ => second.into_iter().chain(["hard_stop", "gravity_offset"]).collect(),
     }
 }

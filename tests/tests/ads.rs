@@ -211,6 +211,7 @@ fn a_slow_sweep_changes_trim_and_inertia_by_the_closed_form() {
     let run = simulate(&model, &nominal(&model), &x0, &signals, &times, &sim::Options::default()).expect("runs");
     assert_eq!(run.status, Status::Completed);
     let (mut lag, mut worst) = (0.0_f64, 0.0_f64);
+    #[allow(clippy::needless_range_loop)] // several trajectories are read at the same sample
     for k in 0..times.len() {
         let x = run.state(k);
         let (elevation, pitch, s) = (x[1], x[2], x[3]);
