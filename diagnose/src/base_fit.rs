@@ -42,8 +42,9 @@ fn still(noise: &mut Noise) {
     noise.sd.iter_mut().for_each(|s| *s = 0.0);
 }
 
-/// A fit by innovations that predicts this much worse than where it began has lost the rig.
-const LOST: f64 = 1.3;
+/// A fit by innovations whose squared predictions are this much worse than where it began has lost the rig. (A model that lacks an effect
+/// may well predict somewhat worse with parameters that are nearer to the truth.)
+const LOST: f64 = 8.0;
 /// How far parameters may then go from there, as a prior.
 const NEAR: f64 = 0.1;
 

@@ -69,7 +69,8 @@ pub fn mended(prepared: &Prepared, p: &[f64], record: &Record) -> Record {
     out
 }
 
-/// What was wired or logged wrongly: flipped signs, swapped channels, degrees for radians, inputs of another run. What an effect of the
+/// What was wired or logged wrongly: flipped signs, swapped channels, degrees for radians. Inputs of another run are left to the
+/// filter (`strangers`), which a poor model does not mislead; what an effect of the
 /// catalogue can be as well (a zero that is off) is left to it.
 ///
 /// # Errors
@@ -77,7 +78,7 @@ pub fn mended(prepared: &Prepared, p: &[f64], record: &Record) -> Record {
 pub fn mistaken(prepared: &Prepared, ranges: &[Range], records: &[Record], hold: Hold) -> Result<Vec<String>, FitError> {
     let found = inspect(&prepared.model, &prepared.specs, ranges, records, hold).map_err(FitError::from)?;
     let mistake = |kind: &FaultKind| match kind {
-        FaultKind::Contradicts(suspect) => !matches!(suspect.change, Change::Offset(..) | Change::SignOfParameter(_)),
+        FaultKind::Contradicts(suspect) => !matches!(suspect.change, Change::Offset(..) | Change::SignOfParameter(_) | Change::Foreign(_)),
         _ => false,
     };
     Ok(found.faults.iter().filter(|f| mistake(&f.kind)).map(|f| format!("{}: {}; {}", f.record, f.sentence(), f.mend())).collect())

@@ -245,7 +245,12 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
         let _ = writeln!(text);
         block(&mut text, "after", &found.after);
         let list: Vec<String> = found.gap_shrink.iter().map(|(s, v)| format!("{s} {:.0} %", 100.0 * v)).collect();
-        let _ = writeln!(text, "gap shrunk {} (on records not used)", list.join(", "));
+        let list = if list.is_empty() {
+            "by what cannot be told: it was no larger than random forces make it".to_owned()
+        } else {
+            list.join(", ")
+        };
+        let _ = writeln!(text, "gap shrunk {list} (on records not used)");
         for m in &found.moved {
             let reach = (m.before.1.powi(2) + m.after.1.powi(2)).sqrt();
             if (m.after.0 - m.before.0).abs() > 2.0 * reach {
