@@ -3,9 +3,10 @@
 use crate::answer::Figures;
 use crate::base_fit::{Fitted, likelihoods};
 use crate::chance::{beyond, mean_and_half_width};
+use crate::error::DiagnoseError;
 use crate::figures::{View, figures, shrink};
 use crate::model::{Included, Prepared};
-use crate::workflow::{DiagnoseError, Options};
+use crate::options::Options;
 use ident::innovations::{Noise, Track};
 use ident::record::Record;
 

@@ -1,10 +1,11 @@
 //! Fits of the base and of patched models, by innovations.
 
 use crate::answer::Figures;
+use crate::error::DiagnoseError;
 use crate::figures::{AHEAD, View, figures};
 use crate::model::{Included, Prepared, prepare};
+use crate::options::Options;
 use crate::patch::Base;
-use crate::workflow::{DiagnoseError, Options};
 use ident::fit::minimize::Limits;
 use ident::fit::{FitError, FitOptions, Loss, ParameterSpec, identify};
 use ident::innovations::{EstimateOptions, Estimated, Noise, Track, estimate, likelihood};

@@ -1,0 +1,343 @@
+//! Where the search stands, and its next step: screening, the few best refitted, what of a class can be told apart.
+
+use crate::accept::Tried;
+use crate::base_fit::{Fitted, likelihoods, refit};
+use crate::chance::beyond;
+use crate::effects::{Effect, Scales, Signature};
+use crate::error::DiagnoseError;
+use crate::model::{Included, Prepared, prepare};
+use crate::options::Options;
+use crate::patch::{Base, PatchError};
+use crate::screen::{SAME, Score, ScreenOptions, Seen, UNIQUE, cosine, screen};
+use crate::shapes::unnamed;
+use ident::fit::ParameterSpec;
+use ident::innovations::{Noise, Track};
+use runtime::Model;
+
+/// Log-likelihood by which one effect must be ahead of another of its class, over all records, to be told from it (odds of 100 to 1).
+const SEPARATES: f64 = 4.6;
+
+/// Classes whose first member is refitted.
+const CLASSES: usize = 8;
+
+/// Where the search stands.
+pub(crate) struct State {
+    pub prepared: Prepared,
+    pub fitted: Fitted,
+    pub accepted: Vec<Included>,
+}
+
+/// A screening and what it is about.
+pub(crate) struct Round {
+    pub scores: Vec<Score>,
+    /// A shape that no candidate of the catalogue has, if it is significant.
+    pub left_over: Option<String>,
+}
+
+impl State {
+    pub fn has(&self, effect: &Effect) -> bool {
+        self.accepted.iter().any(|a| a.effect.id == effect.id && a.effect.place == effect.place)
+    }
+
+    pub fn free_parameters(&self) -> Vec<(String, String, f64, f64)> {
+        let specs = &self.prepared.specs;
+        self.fitted
+            .found
+            .unknowns
+            .iter()
+            .filter(|u| u.record.is_none_or(|r| r == 0))
+            .map(|u| (specs[u.parameter].name.clone(), self.prepared.model.names().parameter_unit(u.parameter).to_owned(), u.value, u.sd))
+            .collect()
+    }
+
+    pub fn screen(
+        &self,
+        base: &Base,
+        asked: &[ParameterSpec],
+        left: &[&Effect],
+        tracks: &[Track],
+        options: &Options<'_>,
+    ) -> Result<Round, DiagnoseError> {
+        // one model with all candidates at their null values, beside what was accepted
+        let mut included = self.accepted.clone();
+        included.extend(left.iter().map(|e| Included {
+            held: Vec::new(),
+            effect: (*e).clone(),
+            per_record: false,
+            start: vec![0.0; e.parameters.len()],
+        }));
+        let accepted = self.accepted.len();
+        let texts = prepare(base, asked, &included, accepted)?;
+        let p: Vec<Vec<f64>> = self.fitted.found.p.iter().map(|p| carry(&self.prepared, p, &texts)).collect();
+        let noise = self.fitted.noise_in(&texts, options.method.whitening);
+        // models that an assumption was taken out of
+        let mut other: Vec<Option<Prepared>> = Vec::new();
+        for e in left {
+            other.push(if e.signature == Signature::Towards { towards(base, asked, &included, accepted, e).ok() } else { None });
+        }
+        let mut seen: Vec<Seen<'_>> = Vec::new();
+        for (k, e) in left.iter().enumerate() {
+            match (&other[k], e.signature) {
+                (Some(model), Signature::Towards) => seen.push(Seen::Towards(&model.model)),
+                _ => seen.push(Seen::Effect(e, texts.of_effect[accepted + k].clone())),
+            }
+        }
+        let count = seen.len();
+        seen.extend(unnamed(&texts, &self.scales(tracks)));
+        let scores = screen(&texts, &p, &noise, tracks, &seen, ScreenOptions { family: options.family, seed: options.seed })?;
+        let left_over = scores[count..]
+            .iter()
+            .zip(&seen[count..])
+            .filter(|(s, _)| s.p_family < 0.2 * options.family)
+            .max_by(|a, b| a.0.statistic.total_cmp(&b.0.statistic))
+            .map(|(s, seen)| match seen {
+                Seen::Shape(_, words) => format!("{words} (score {:.1})", s.statistic.sqrt()),
+                _ => String::new(),
+            });
+        Ok(Round { scores, left_over })
+    }
+
+    fn scales(&self, tracks: &[Track]) -> Scales {
+        scales(&self.prepared, tracks, &self.fitted)
+    }
+
+    /// The significant candidates that explain most, refitted; the best first.
+    #[allow(clippy::too_many_arguments)]
+    pub fn try_best(
+        &self,
+        base: &Base,
+        asked: &[ParameterSpec],
+        left: &[&Effect],
+        round: &Round,
+        tracks: &mut [Track],
+        held: &[Track],
+        options: &Options<'_>,
+    ) -> Result<Vec<Tried>, DiagnoseError> {
+        let scores = &round.scores[..left.len()];
+        let speaks = |s: &Score| {
+            let p = if options.method.family { s.p_family } else { s.p_single };
+            p < options.family && (s.unique_fraction >= UNIQUE || !options.method.absorption)
+        };
+        let mut order: Vec<usize> = (0..left.len()).filter(|&i| speaks(&scores[i]) && !wrong_sign(left[i], &scores[i])).collect();
+        // by what is gained over what is spent
+        let worth = |s: &Score| s.statistic - 2.0 * s.degrees as f64;
+        order.sort_by(|&a, &b| worth(&scores[b]).total_cmp(&worth(&scores[a])));
+        // dry friction that holds a rig still does not show at its null value: tried from a finite one
+        let level = self.fitted.found.noise.sd.clone();
+        let dry: Vec<usize> = (0..left.len()).filter(|&i| left[i].id == "coulomb" && !order.contains(&i)).collect();
+        // the class of the best, then what else is significant and different
+        let alike = |a: usize, b: usize| cosine(&scores[a], &scores[b]).abs() > SAME;
+        // the class of the best, and the first of every other class
+        let mut few: Vec<usize> = order.iter().copied().filter(|&i| order.first().is_some_and(|&first| alike(i, first))).take(3).collect();
+        let mut leaders: Vec<usize> = order.first().copied().into_iter().collect();
+        for &i in &order {
+            if leaders.len() < CLASSES && !leaders.iter().any(|&k| alike(i, k)) {
+                leaders.push(i);
+                few.push(i);
+            }
+        }
+        few.extend(&dry);
+        let mut tried: Vec<Tried> = Vec::new();
+        for index in few {
+            let mut start = scores[index].step.iter().map(|s| s.0).collect::<Vec<_>>();
+            let finite = dry.contains(&index);
+            if finite {
+                let entry = self.prepared.coordinates.iter().position(|&c| base.rig.coordinates[c].name == left[index].place);
+                start = vec![entry.map_or(0.0, |k| level[k])];
+            }
+            let mut included = self.accepted.clone();
+            included.push(Included {
+                held: untold(&scores[index]),
+                effect: left[index].clone(),
+                per_record: false,
+                start: begin(left[index], &start, tracks),
+            });
+            (options.progress)(&format!("  refitting with {} ..", left[index].title()));
+            let Ok((prepared, fitted)) = refit(base, asked, &included, &self.fitted, tracks, false) else { continue };
+            let degrees = left[index].parameters.len();
+            // judged by its likelihood ratio, as one of the family
+            let ratio = 2.0 * (fitted.found.log_likelihood - self.fitted.found.log_likelihood);
+            if finite && beyond(ratio, degrees) * left.len() as f64 > options.family {
+                continue;
+            }
+            tried.push(Tried {
+                index,
+                value: fitted.found.log_likelihood - degrees as f64,
+                included,
+                prepared,
+                fitted,
+                equivalent: Vec::new(),
+                per_record: false,
+                by_record: scores[index].by_record.clone(),
+            });
+        }
+        tried.sort_by(|a, b| b.value.total_cmp(&a.value));
+        // members of the best one's class that fit about as well
+        let ranked: Vec<(usize, f64)> = tried.iter().map(|t| (t.index, t.value)).collect();
+        for t in &mut tried {
+            let fits = |i: usize| {
+                ranked
+                    .iter()
+                    .find(|(k, _)| *k == i)
+                    .map_or(scores[i].statistic > scores[t.index].statistic - 4.0, |(_, v)| *v > t.value - 2.0)
+            };
+            t.equivalent = (0..left.len())
+                .filter(|&i| {
+                    let same_name = left[i].id == left[t.index].id && left[i].place == left[t.index].place;
+                    // a shape with more parameters that has this one in it says nothing else
+                    let nested = left[i].parameters.len() > left[t.index].parameters.len();
+                    let own = scores[i].unique_fraction >= UNIQUE;
+                    !same_name && !nested && own && alike(i, t.index) && !wrong_sign(left[i], &scores[i]) && fits(i)
+                })
+                .collect();
+            t.equivalent.dedup_by(|a, b| left[*a].id == left[*b].id && left[*a].place == left[*b].place);
+        }
+        // one of each class goes on, refitted to the end
+        let mut kept: Vec<Tried> = Vec::new();
+        for t in tried {
+            if !kept.iter().any(|k| alike(k.index, t.index)) {
+                kept.push(t);
+            }
+        }
+        kept.truncate(3);
+        for t in &mut kept {
+            if let Ok((prepared, fitted)) = refit(base, asked, &t.included, &t.fitted, tracks, true) {
+                (t.prepared, t.fitted) = (prepared, fitted);
+            }
+            self.separate(base, asked, left, scores, t, tracks, held)?;
+        }
+        Ok(kept)
+    }
+
+    /// Drops from the class of `t` what its own noise, or the other records, can tell from it; puts the best in front.
+    #[allow(clippy::too_many_arguments)]
+    fn separate(
+        &self,
+        base: &Base,
+        asked: &[ParameterSpec],
+        left: &[&Effect],
+        scores: &[Score],
+        t: &mut Tried,
+        tracks: &mut [Track],
+        held: &[Track],
+    ) -> Result<(), DiagnoseError> {
+        let total = |tried: &Tried, noise: &Noise| -> Result<f64, DiagnoseError> {
+            let likelihoods = likelihoods(&tried.prepared, &tried.fitted, noise, held)?;
+            let of = |l: &Option<Vec<f64>>| l.as_ref().map_or(f64::NEG_INFINITY, |l| l.iter().sum());
+            Ok(tried.fitted.found.log_likelihood + likelihoods.iter().map(of).sum::<f64>())
+        };
+        let mut rivals = vec![(t.index, total(t, &t.fitted.found.noise)?)];
+        for i in std::mem::take(&mut t.equivalent) {
+            let step: Vec<f64> = scores[i].step.iter().map(|s| s.0).collect();
+            let mut included = self.accepted.clone();
+            included.push(Included {
+                held: untold(&scores[i]),
+                effect: left[i].clone(),
+                per_record: false,
+                start: begin(left[i], &step, tracks),
+            });
+            let Ok((prepared, fitted)) = refit(base, asked, &included, &t.fitted, tracks, false) else { continue };
+            let rival = Tried {
+                index: i,
+                value: 0.0,
+                included,
+                prepared,
+                fitted,
+                equivalent: Vec::new(),
+                per_record: false,
+                by_record: scores[i].by_record.clone(),
+            };
+            let worth = total(&rival, &t.fitted.found.noise)?;
+            let best = rivals[0].1;
+            rivals.push((i, worth));
+            if worth > best + SEPARATES
+                && let Ok((prepared, fitted)) = refit(base, asked, &rival.included, &rival.fitted, tracks, true)
+            {
+                *t = Tried { prepared, fitted, ..rival };
+                rivals.swap_remove(0);
+                rivals.insert(0, (i, total(t, &t.fitted.found.noise)?));
+            }
+        }
+        let best = rivals[0].1;
+        t.equivalent = rivals.into_iter().filter(|(i, v)| *i != t.index && *v > best - SEPARATES).map(|(i, _)| i).collect();
+        t.equivalent.dedup_by(|a, b| left[*a].id == left[*b].id && left[*a].place == left[*b].place);
+        Ok(())
+    }
+
+    /// An accepted effect whose parameters have become indistinguishable from zero.
+    pub fn superfluous(&self) -> Option<usize> {
+        (0..self.accepted.len()).find(|&k| {
+            let own = &self.prepared.of_effect[k];
+            !own.is_empty() && self.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).all(|u| u.value.abs() < 2.0 * u.sd)
+        })
+    }
+}
+
+/// Parameters of an effect that the fitted ones have already: they stay at zero.
+fn untold(score: &Score) -> Vec<bool> {
+    score.minimal_detectable.iter().map(|m| !m.is_finite()).collect()
+}
+
+/// Starting values: a delay or lag near zero never leaves it, and must leave room for its step.
+fn begin(effect: &Effect, step: &[f64], tracks: &[Track]) -> Vec<f64> {
+    let period = tracks.first().map_or(0.01, |t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64);
+    match effect.signature {
+        Signature::InputDelay(_) | Signature::OutputDelay(_) => step.iter().map(|s| s.max(0.5 * period)).collect(),
+        _ => effect.parameters.iter().zip(step).map(|(p, s)| if p.positive { s.max(0.0) } else { *s }).collect(),
+    }
+}
+
+/// A one-sided effect that would be on the other side.
+fn wrong_sign(effect: &Effect, score: &Score) -> bool {
+    let positive: Vec<bool> = effect.parameters.iter().map(|p| p.positive).collect();
+    match effect.signature {
+        Signature::Towards => score.step.first().is_some_and(|s| s.0 < 0.25),
+        _ => positive.iter().any(|p| *p) && positive.iter().zip(&score.step).filter(|(p, _)| **p).all(|(_, s)| s.0 <= 0.0),
+    }
+}
+
+/// The screening model without the assumption that `effect` drops.
+fn towards(base: &Base, asked: &[ParameterSpec], included: &[Included], accepted: usize, effect: &Effect) -> Result<Prepared, PatchError> {
+    let mut all = included.to_vec();
+    all.insert(accepted, Included { held: Vec::new(), effect: effect.clone(), per_record: false, start: Vec::new() });
+    prepare(base, asked, &all, accepted + 1)
+}
+
+/// Parameters by name from one model to another.
+fn carry(from: &Prepared, p: &[f64], to: &Prepared) -> Vec<f64> {
+    to.specs.iter().map(|s| from.specs.iter().position(|o| o.name == s.name).map_or(s.value, |i| p[i])).collect()
+}
+
+pub(crate) fn scales(prepared: &Prepared, tracks: &[Track], fitted: &Fitted) -> Scales {
+    let rig = &prepared.base.rig;
+    let n = rig.coordinates.len();
+    let mut range = vec![(f64::INFINITY, f64::NEG_INFINITY); n];
+    let (mut squares, mut count) = (vec![0.0; n], 0.0);
+    let mut input = vec![(0.0_f64, f64::INFINITY, f64::NEG_INFINITY); rig.inputs.len()];
+    let mut duration = 0.0_f64;
+    for (r, track) in tracks.iter().enumerate() {
+        let p = &fitted.found.p[r];
+        if let Ok(Some(pass)) = ident::innovations::pass(&prepared.model, p, track, &fitted.found.noise, &[]) {
+            let order = pass.states.len() / track.times().len().max(1);
+            for x in pass.states.chunks_exact(order) {
+                for i in 0..n {
+                    range[i] = (range[i].0.min(x[i]), range[i].1.max(x[i]));
+                    squares[i] += x[n + i] * x[n + i];
+                }
+                count += 1.0;
+            }
+        }
+        for t in track.times() {
+            for (j, u) in track.inputs(&prepared.model, p, *t).into_iter().take(input.len()).enumerate() {
+                input[j] = (input[j].0.max(u.abs()), input[j].1.min(u), input[j].2.max(u));
+            }
+        }
+        duration = duration.max(track.times()[track.times().len() - 1] - track.times()[0]);
+    }
+    Scales {
+        range: range.into_iter().map(|(lo, hi)| if lo <= hi { (lo, hi) } else { (0.0, 0.0) }).collect(),
+        rate: squares.into_iter().map(|s: f64| (s / f64::max(count, 1.0)).sqrt()).collect(),
+        input: input.into_iter().map(|(largest, lo, hi)| (largest, if hi > lo { hi - lo } else { 0.0 })).collect(),
+        duration,
+    }
+}
