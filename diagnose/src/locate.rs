@@ -25,8 +25,6 @@ pub fn locate(prepared: &Prepared, p: &[Vec<f64>], noise: &Noise, tracks: &[Trac
         }
     }
     let rig = &prepared.base.rig;
-    let n = prepared.specs.len();
-    let _ = n;
     let coordinates = rig.coordinates.len();
     let states = 2 * coordinates + rig.actuators.iter().filter(|a| a.lag.is_some()).count();
     let mut places = Vec::new();

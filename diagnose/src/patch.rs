@@ -123,8 +123,7 @@ pub fn compose(base: &Base, effects: &[Written<'_>], pushed: &[(usize, String, S
                 let span = rig.assumptions[*k].span;
                 let text = base.sources.text(span).unwrap_or_default();
                 let kept = if written.evidence.is_some() { format!("// {}", text.replace('\n', " ")) } else { String::new() };
-                let whole = Span { end: span.end, ..span };
-                edits.push((whole, if kept.is_empty() { String::new() } else { format!("{kept}\n       ") }));
+                edits.push((span, if kept.is_empty() { String::new() } else { format!("{kept}\n       ") }));
             }
             Edit::Map { .. } | Edit::Path { .. } | Edit::Output { .. } | Edit::Center { .. } | Edit::Gravity(_) => {}
         }

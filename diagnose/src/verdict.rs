@@ -48,9 +48,8 @@ pub(crate) fn finish(
     answer.noise = Some(state.fitted.found.noise.clone());
     for candidate in &mut answer.candidates {
         let title = |id: &str, place: &str| candidate.effect == id && candidate.place == place;
-        if let Some(f) = answer.findings.iter().find(|f| title(&f.effect, &f.place)) {
+        if answer.findings.iter().any(|f| title(&f.effect, &f.place)) {
             "accepted".clone_into(&mut candidate.status);
-            let _ = f;
         } else if answer.findings.iter().any(|f| f.equivalent.iter().any(|(id, place)| title(id, place))) {
             "equivalent".clone_into(&mut candidate.status);
         } else if let Some((_, why)) = rejected.iter().find(|(t, _)| t.starts_with(&format!("{} on {}", candidate.effect, candidate.place)))

@@ -29,10 +29,9 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
         if !is_angle(rig, own) {
             continue;
         }
-        for (other, c) in rig.coordinates.iter().enumerate().filter(|(other, _)| *other != own && is_angle(rig, *other)) {
+        for (_, c) in rig.coordinates.iter().enumerate().filter(|(other, _)| *other != own && is_angle(rig, *other)) {
             let name = names.free(&format!("m_{}_{}", y.name, c.name));
             let p = parameter(&name, "1".to_owned(), false, "share of the other angle");
-            let _ = other;
             let value = format!("{name} * {}", c.name);
             out.push(Effect {
                 id: "sensor_misalignment".to_owned(),
