@@ -1,4 +1,4 @@
-//! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME]`; `--table FILE ..` prints what
+//! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME] [--records FOLDER]`; `--table FILE ..` prints what
 //! files hold; `--examples FOLDER` writes the records of `examples/hidden`.
 
 use battery::rigs::Rig;
@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME]\n       battery --table FILE ..\n       battery --examples FOLDER";
+const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--records FOLDER]\n       battery --table FILE ..\n       battery --examples FOLDER";
 
 fn main() -> ExitCode {
     match work(std::env::args().skip(1).collect()) {
@@ -33,6 +33,7 @@ struct Arguments {
     part: Option<String>,
     table: Vec<String>,
     examples: Option<String>,
+    records: Option<String>,
 }
 
 fn arguments(given: Vec<String>) -> Result<Arguments, String> {
@@ -46,6 +47,7 @@ fn arguments(given: Vec<String>) -> Result<Arguments, String> {
         part: None,
         table: Vec::new(),
         examples: None,
+        records: None,
     };
     let mut given = given.into_iter().peekable();
     while let Some(word) = given.next() {
@@ -68,6 +70,7 @@ fn arguments(given: Vec<String>) -> Result<Arguments, String> {
                     .map(|name| Rig::ALL.into_iter().find(|r| r.name() == name.trim()).ok_or_else(|| format!("there is no rig `{name}`")))
                     .collect::<Result<_, _>>()?;
             }
+            "--records" => own.records = Some(value()?),
             "--examples" => own.examples = Some(value()?),
             "--resume" => own.resume = true,
             "--table" => own.table = given.by_ref().collect(),
@@ -122,7 +125,7 @@ fn work(given: Vec<String>) -> Result<(), String> {
         for _ in 0..arguments.threads.max(1) {
             scope.spawn(|| {
                 while let Some(task) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let Some(outcome) = run(task) else { continue };
+                    let Some(outcome) = run(task, arguments.records.as_deref().map(std::path::Path::new)) else { continue };
                     if let (Ok(line), Ok(mut file)) = (serde_json::to_string(&outcome), file.lock()) {
                         let _ = writeln!(file, "{line}");
                     }

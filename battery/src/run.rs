@@ -12,6 +12,7 @@ use diagnose::{Candidate, DiagnoseError, Diagnosis, Method, Options, Step, diagn
 use ident::fit::ParameterSpec;
 use ident::record::{Column, Record, Start};
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// Samples of a training record; there are two.
 const TRAIN: usize = 1200;
@@ -256,9 +257,24 @@ impl Setting {
     }
 }
 
-/// Makes a run. `None` where there is nothing that could be hidden.
+/// Writes the rig and the records of a run, for `rig diagnose`.
+fn save(folder: &Path, task: &Task, records: &[Record]) -> std::io::Result<()> {
+    let stem = format!("{}_{}_{}_{}", task.row, task.part.replace([' ', ':', '*'], "_"), task.rig.name(), task.number);
+    std::fs::write(folder.join(format!("{stem}.rig")), task.rig.text())?;
+    for record in records {
+        let mut text = std::iter::once("t").chain(record.columns.iter().map(|c| c.name.as_str())).collect::<Vec<_>>().join(",");
+        for (k, t) in record.t.iter().enumerate() {
+            text.push_str(&format!("\n{t}"));
+            record.columns.iter().for_each(|c| text.push_str(&format!(",{}", c.values[k])));
+        }
+        std::fs::write(folder.join(format!("{stem}_{}.csv", record.source)), text + "\n")?;
+    }
+    Ok(())
+}
+
+/// Makes a run, its files to `keep`. `None` where there is nothing that could be hidden.
 #[must_use]
-pub fn run(task: &Task) -> Option<Outcome> {
+pub fn run(task: &Task, keep: Option<&Path>) -> Option<Outcome> {
     let mut naming = Chance::new(task.number, &task.stream);
     let seed = (naming.uniform() * 1e15) as u64;
     let mut chance = Chance::new(seed, "hide");
@@ -313,6 +329,9 @@ pub fn run(task: &Task) -> Option<Outcome> {
         }
     }
     let (records, _) = setting.records(task, &plant, &mut chance);
+    if let Some(Err(why)) = keep.map(|folder| save(folder, task, &records)) {
+        return fail(outcome, why.to_string());
+    }
     let began = std::time::Instant::now();
     let found = setting.diagnose(&records, &only, Step::Patch, task.method);
     outcome.seconds = began.elapsed().as_secs_f64();

@@ -30,7 +30,7 @@ impl Fitted {
 
     /// The noise, with the forces where another model has them.
     pub fn noise_in(&self, other: &Prepared, whitening: bool) -> Noise {
-        let mut noise = Noise { entries: other.entries.clone(), ..self.found.noise.clone() };
+        let mut noise = other.noise(&self.found.noise);
         if !whitening {
             still(&mut noise);
         }
@@ -73,7 +73,7 @@ pub fn fit_base(
     let mut best: Option<Estimated> = None;
     let mut failed = None;
     for start in &starts {
-        let noise = Noise::guess(&plain.model, &p0, tracks, plain.entries.clone());
+        let noise = plain.noise(&Noise::guess(&plain.model, &p0, tracks, plain.entries.clone()));
         let mut own = tracks.to_vec();
         let rounds = EstimateOptions { rounds: 2, finest: 0.4, ..EstimateOptions::default() };
         match estimate(&plain.model, &plain.specs, &mut own, start, noise, rounds) {
@@ -105,7 +105,7 @@ pub fn fit_base(
         }
         specs
     };
-    let noise = Noise::guess(&plain.model, &p0, tracks, plain.entries.clone());
+    let noise = plain.noise(&Noise::guess(&plain.model, &p0, tracks, plain.entries.clone()));
     let found = estimate(&plain.model, &near(&plain.specs), tracks, start, noise, EstimateOptions::default())?;
     let asked = near(asked);
     Ok((Fitted { found, names }, asked))
@@ -133,7 +133,7 @@ pub fn refit(
         .iter()
         .map(|p| prepared.specs.iter().map(|s| from.names.iter().position(|n| *n == s.name).map_or(s.value, |i| p[i])).collect())
         .collect();
-    let noise = Noise { entries: prepared.entries.clone(), ..from.found.noise.clone() };
+    let noise = prepared.noise(&from.found.noise);
     let effort = if thorough {
         EstimateOptions { rounds: 3, ..EstimateOptions::default() }
     } else {
@@ -148,6 +148,6 @@ pub fn refit(
 /// Likelihood of test records, by sample, with the sizes of `noise`; each record begins as its first samples say.
 pub fn likelihoods(prepared: &Prepared, fitted: &Fitted, noise: &Noise, tracks: &[Track]) -> Result<Vec<Option<Vec<f64>>>, FitError> {
     let p = fitted.mean();
-    let noise = Noise { entries: prepared.entries.clone(), ..noise.clone() };
+    let noise = prepared.noise(noise);
     tracks.iter().map(|track| likelihood(&prepared.model, &p, track, &noise)).collect()
 }

@@ -5,7 +5,9 @@ use crate::effects::{Effect, Signature};
 use crate::patch::{Base, PatchError, Written, check, compose};
 use codegen::Options;
 use ident::fit::ParameterSpec;
+use ident::innovations::{Dry, Level, Noise};
 use jit::InProcess;
+use model_dsl::rig::{Expr, Friction, Rig, Symbol};
 
 /// An effect that the model has.
 #[derive(Clone, Debug)]
@@ -32,6 +34,8 @@ pub struct Prepared {
     pub entries: Vec<usize>,
     /// The coordinates of these.
     pub coordinates: Vec<usize>,
+    /// Dry friction on these.
+    pub dry: Vec<Dry>,
     /// For each included effect the indices of its parameters.
     pub of_effect: Vec<Vec<usize>>,
 }
@@ -100,6 +104,30 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
         }
         of_effect.push(own);
     }
-    let coordinates = pushed.into_iter().map(|(i, ..)| i).collect();
-    Ok(Prepared { base: patched, model: InProcess::new(equations), specs, entries, coordinates, of_effect })
+    let coordinates: Vec<usize> = pushed.into_iter().map(|(i, ..)| i).collect();
+    let dry = dry(&patched.rig, &coordinates);
+    Ok(Prepared { base: patched, model: InProcess::new(equations), specs, entries, coordinates, dry, of_effect })
+}
+
+impl Prepared {
+    /// A noise found with another model, with the forces and frictions of this one.
+    #[must_use]
+    pub fn noise(&self, found: &Noise) -> Noise {
+        Noise { entries: self.entries.clone(), dry: self.dry.clone(), ..found.clone() }
+    }
+}
+
+/// Dry frictions of single coordinates whose level and width are names or numbers.
+fn dry(rig: &Rig, coordinates: &[usize]) -> Vec<Dry> {
+    let level = |e: &Option<Expr>| match e {
+        Some(Expr::Symbol(Symbol::Parameter(i))) => Some(Level::Parameter(*i)),
+        Some(Expr::Number(value)) => Some(Level::Value(*value)),
+        _ => None,
+    };
+    let of = |f: &Friction| {
+        let Expr::Symbol(Symbol::Coordinate(i)) = &f.of else { return None };
+        let entry = coordinates.iter().position(|c| c == i)?;
+        Some(Dry { entry, rate: rig.coordinates.len() + i, level: level(&f.coulomb)?, width: level(&f.width)? })
+    };
+    rig.frictions.iter().filter_map(of).collect()
 }

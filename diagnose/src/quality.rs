@@ -4,9 +4,10 @@ use crate::model::Prepared;
 use ident::fit::FitError;
 use ident::innovations::{Noise, Track, likelihood};
 use ident::preflight::{Change, FaultKind, Range, inspect};
-use ident::record::Record;
+use ident::record::{Column, Record};
 use runtime::Model;
 use sim::Hold;
+use std::f64::consts::TAU;
 
 /// Fewest samples of a record.
 const FEWEST: usize = 200;
@@ -16,54 +17,63 @@ const OUTLIER: f64 = 8.0;
 const MOST_OUTLIERS: f64 = 0.10;
 
 /// Faults of the records, in words. Outliers of the records as measured are discarded in the ones that are used.
-pub fn look(prepared: &Prepared, p: &[f64], train: &mut [Track], test: &mut [Track], used: (&mut [Track], &mut [Track])) -> Vec<String> {
+pub fn look(prepared: &Prepared, p: &[f64], train: &[Record], test: &[Record], used: (&mut [Track], &mut [Track])) -> Vec<String> {
     let mut faults = Vec::new();
     let names = prepared.model.names();
-    for (track, used) in train.iter_mut().chain(test).zip(used.0.iter_mut().chain(used.1)) {
-        let file = track.source().to_owned();
-        let samples = track.times().len();
+    for (record, used) in train.iter().chain(test).zip(used.0.iter_mut().chain(used.1)) {
+        let file = &record.source;
+        let samples = record.t.len();
         if samples < FEWEST {
             faults.push(format!("{file}: {samples} samples are too few to tell an effect from chance ({FEWEST} are needed)"));
             continue;
         }
-        let mut bad: Vec<(usize, usize)> = Vec::new();
-        for (output, values) in track.measured() {
-            let quantum = prepared.model.output_path(output, p).quantum;
+        for (output, column) in measured(prepared, record) {
+            let path = prepared.model.output_path(output, p);
+            let values = &column.values;
             let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
-            if hi - lo <= 3.0 * quantum || hi <= lo {
+            if hi - lo <= 3.0 * path.quantum || hi <= lo {
                 faults.push(format!("{file}: {} does not move (a dead channel, or nothing happened)", names.output(output)));
             }
-            let found = outliers(values, quantum);
+            let found = outliers(values, path.quantum, path.wrapped.then_some(TAU));
             if found.len() as f64 > MOST_OUTLIERS * samples as f64 {
                 faults.push(format!("{file}: {} jumps in {} of {samples} samples: no motion of a rig", names.output(output), found.len()));
             }
-            bad.extend(found.into_iter().map(|k| (output, k)));
-        }
-        for (output, k) in bad {
             if used.times().len() == samples {
-                used.discard(output, k);
+                found.into_iter().for_each(|k| used.discard(output, k));
             }
         }
     }
     faults
 }
 
+/// The outputs that a record has: index in the model and column.
+fn measured<'r>(prepared: &Prepared, record: &'r Record) -> Vec<(usize, &'r Column)> {
+    let names = prepared.model.names();
+    let outputs = 0..prepared.model.dimensions().outputs;
+    outputs.filter_map(|i| record.columns.iter().find(|c| c.name == names.output(i)).map(|c| (i, c))).collect()
+}
+
 /// A record whose outliers lie on the line between their neighbours, for runs that compare with every sample.
 pub fn mended(prepared: &Prepared, p: &[f64], record: &Record) -> Record {
     let mut out = record.clone();
     let names = prepared.model.names();
-    for i in 0..prepared.model.dimensions().outputs {
-        let path = prepared.model.output_path(i, p);
-        let Some(column) = out.columns.iter_mut().find(|c| c.name == names.output(i)) else { continue };
-        // a turn of a wrapped angle is no outlier
-        if path.wrapped {
-            continue;
-        }
-        for k in outliers(&column.values, path.quantum) {
-            let near = [k - 2, k - 1, k + 1, k + 2].map(|i| column.values[i]);
-            let mut sorted = near;
-            sorted.sort_by(f64::total_cmp);
-            column.values[k] = 0.5 * (sorted[1] + sorted[2]);
+    for (output, column) in measured(prepared, record) {
+        let path = prepared.model.output_path(output, p);
+        let turn = path.wrapped.then_some(TAU);
+        let near = |v: f64| turn.map_or(v, |turn| v - turn * (v / turn).round());
+        let bad = outliers(&column.values, path.quantum, turn);
+        let Some(column) = out.columns.iter_mut().find(|c| c.name == names.output(output)) else { continue };
+        let last = column.values.len() - 1;
+        for &k in &bad {
+            // samples before this one are mended already
+            let next = (k + 1..=last).find(|i| !bad.contains(i));
+            let at = |i: usize| column.values[i];
+            column.values[k] = match (k.checked_sub(1), next) {
+                (Some(a), Some(b)) => at(a) + near(at(b) - at(a)) / (b - a) as f64,
+                (None, Some(b)) => at(b),
+                (Some(a), None) => at(a),
+                (None, None) => at(k),
+            };
         }
     }
     out
@@ -117,22 +127,44 @@ pub fn strangers(prepared: &Prepared, fitted: &[Vec<f64>], own: &[f64], noise: &
     Ok(faults)
 }
 
-/// Samples that leave the line between their neighbours by far more than the others do, and come back.
-fn outliers(values: &[f64], quantum: f64) -> Vec<usize> {
-    if values.len() < 5 {
+/// Samples that leave the line between their neighbours by far more than the others do. The farthest is taken out first, so that it does
+/// not make outliers of its neighbours. `turn`: values are angles modulo this.
+fn outliers(values: &[f64], quantum: f64, turn: Option<f64>) -> Vec<usize> {
+    let count = values.len();
+    if count < 5 {
         return Vec::new();
     }
-    // against the median of five: a single spike does not move it
-    let off = |k: usize| {
-        let mut near: Vec<f64> = (k - 2..=k + 2).filter(|&i| i != k).map(|i| values[i]).collect();
-        near.sort_by(f64::total_cmp);
-        values[k] - 0.5 * (near[1] + near[2])
+    let near = |v: f64| turn.map_or(v, |turn| v - turn * (v / turn).round());
+    let mut good = vec![true; count];
+    let off = |k: usize, good: &[bool]| -> f64 {
+        let before: Vec<usize> = (0..k).rev().filter(|&i| good[i]).take(2).collect();
+        let after: Vec<usize> = (k + 1..count).filter(|&i| good[i]).take(2).collect();
+        let (a, b) = match (&before[..], &after[..]) {
+            ([a, ..], [b, ..]) => (*a, *b),
+            ([a, b], []) | ([], [a, b]) => (*a, *b),
+            _ => return 0.0,
+        };
+        let slope = near(values[b] - values[a]) / (b as f64 - a as f64);
+        near(values[k] - values[a] - slope * (k as f64 - a as f64))
     };
-    let all: Vec<f64> = (2..values.len() - 2).map(off).collect();
-    let mut sizes: Vec<f64> = all.iter().map(|v| v.abs()).collect();
+    let mut all: Vec<f64> = (0..count).map(|k| off(k, &good).abs()).collect();
+    let mut sizes = all.clone();
     sizes.sort_by(f64::total_cmp);
-    let scale = (1.4826 * sizes[sizes.len() / 2]).max(sizes[sizes.len() * 9 / 10] / 1.645).max(0.6 * quantum);
-    all.iter().enumerate().filter(|(_, v)| v.abs() > OUTLIER * scale.max(f64::MIN_POSITIVE)).map(|(k, _)| k + 2).collect()
+    let scale = (1.4826 * sizes[count / 2]).max(sizes[count * 9 / 10] / 1.645).max(0.6 * quantum).max(f64::MIN_POSITIVE);
+    let mut found = Vec::new();
+    while let Some((k, size)) = all.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)) {
+        if size <= OUTLIER * scale || found.len() > count / 5 {
+            break;
+        }
+        (good[k], all[k]) = (false, 0.0);
+        found.push(k);
+        let touched = (0..k).rev().filter(|&i| good[i]).take(2).chain((k + 1..count).filter(|&i| good[i]).take(2));
+        for i in touched.collect::<Vec<_>>() {
+            all[i] = off(i, &good).abs();
+        }
+    }
+    found.sort_unstable();
+    found
 }
 
 /// Fewest samples a second that are kept.
@@ -163,7 +195,7 @@ pub fn stride(prepared: &Prepared, p: &[f64], records: &[Record]) -> usize {
     if period <= 0.0 {
         return 1;
     }
-    let fastest = poles(prepared, p).iter().map(|p| p.im.abs()).fold(0.0, f64::max) / std::f64::consts::TAU;
+    let fastest = poles(prepared, p).iter().map(|p| p.im.abs()).fold(0.0, f64::max) / TAU;
     let wanted = RATE.max(PER_PERIOD * fastest);
     ((1.0 / (period * wanted) + 1e-6).floor() as usize).max(1)
 }
@@ -187,7 +219,7 @@ pub fn averaged(record: &Record, count: usize, wrapped: &[String], held: &[Strin
     let mut out = record.clone();
     out.t = blocks(&record.t, None);
     for column in &mut out.columns {
-        let turn = wrapped.contains(&column.name).then_some(std::f64::consts::TAU);
+        let turn = wrapped.contains(&column.name).then_some(TAU);
         column.values = blocks(&column.values, turn);
         if held.contains(&column.name) {
             let share = 0.5 / count as f64;
@@ -197,4 +229,22 @@ pub fn averaged(record: &Record, count: usize, wrapped: &[String], held: &[Strin
         }
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::outliers;
+
+    #[test]
+    fn outliers_are_found_and_their_neighbours_left() {
+        let mut values: Vec<f64> = (0..1500).map(|k| 0.01 * f64::from(k)).map(|t| 20.0 * (0.7 * t).sin() + (9.0 * t).sin()).collect();
+        let mut bad: Vec<usize> = (1..30).map(|k: usize| k * k * 37 % 1480).collect();
+        bad.extend([0, 700, 701, 703, 1499]);
+        bad.sort_unstable();
+        bad.dedup();
+        for &k in &bad {
+            values[k] += (if k % 2 == 0 { 1.0 } else { -1.0 }) * (8.0 + (k % 50) as f64);
+        }
+        assert_eq!(outliers(&values, 7.7e-4, None), bad);
+    }
 }

@@ -9,7 +9,7 @@ use crate::effects::{Effect, IDS, Scales, catalogue};
 use crate::error::DiagnoseError;
 use crate::figures::{View, figures, shrink, view};
 use crate::locate::locate;
-use crate::model::prepare;
+use crate::model::{Prepared, prepare};
 use crate::options::{Options, Step};
 use crate::patch::Base;
 use crate::quality::{averaged, integrates, look, mended, mistaken, strangers, stride};
@@ -18,8 +18,9 @@ use crate::search::{State, scales};
 use crate::traces;
 use crate::verdict::finish;
 use ident::fit::ParameterSpec;
-use ident::innovations::Track;
+use ident::innovations::{Noise, Track};
 use ident::record::Record;
+use runtime::Model;
 use sim::Hold;
 use std::time::Instant;
 
@@ -58,13 +59,12 @@ pub fn diagnose(
             .collect::<Result<Vec<_>, _>>()
     };
     let (mut tracks, mut held) = (bind(train)?, bind(test)?);
-    let (mut first, mut second) = (bind(raw)?, bind(raw_test)?);
     if block > 1 {
         tell(&format!("  blocks of {block} samples are averaged"));
     }
 
     tell("looking at the records ..");
-    answer.faults = look(&plain, &p0, &mut first, &mut second, (&mut tracks, &mut held));
+    answer.faults = look(&plain, &p0, raw, raw_test, (&mut tracks, &mut held));
     if !answer.faults.is_empty() {
         answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
         answer.verdict = Verdict::BadData;
@@ -88,6 +88,7 @@ pub fn diagnose(
     tell("fitting the base ..");
     let (fitted, asked) = fit_base(&plain, asked, train, &mut tracks, options)?;
     let asked = &asked[..];
+    tell(&format!("  {}", in_words(&plain, &fitted.found.noise)));
     answer.faults = strangers(&plain, &fitted.found.p, &p0, &fitted.found.noise, &tracks)?;
     if !answer.faults.is_empty() {
         answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
@@ -193,6 +194,17 @@ pub fn diagnose(
         shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
+}
+
+/// The noises: `random forces theta 0.006 N*m over 0.2 s; outputs theta 0.0002 rad`.
+fn in_words(prepared: &Prepared, noise: &Noise) -> String {
+    let names = prepared.model.names();
+    let forces = noise.entries.iter().enumerate().map(|(k, &entry)| {
+        let name = &prepared.base.rig.coordinates[prepared.coordinates[k]].name;
+        format!("{name} {:.2e} {} over {:.2} s", noise.sd[k], names.parameter_unit(entry), noise.time[k])
+    });
+    let outputs = noise.output_sd.iter().enumerate().map(|(i, sd)| format!("{} {sd:.2e} {}", names.output(i), names.output_unit(i)));
+    format!("random forces {}; outputs {}", forces.collect::<Vec<_>>().join(", "), outputs.collect::<Vec<_>>().join(", "))
 }
 
 fn empty() -> Diagnosis {

@@ -23,5 +23,5 @@ mod transition;
 
 pub use estimate::{EstimateOptions, Estimated, Unknown, estimate, likelihood};
 pub use filter::{Column, Gains, Pass, Shape, Track, pass, wander};
-pub use noise::{Noise, likeliest};
+pub use noise::{Dry, Level, Noise, likeliest};
 pub use smooth::{Smoothed, smooth};

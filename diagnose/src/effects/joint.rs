@@ -2,7 +2,7 @@
 
 use super::unit::{is_angle, of_coordinate, of_rate, of_row};
 use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, parameter, rounded};
-use model_dsl::rig::Rig;
+use model_dsl::rig::{Expr, Rig, Symbol};
 
 /// Periods per turn that are tried.
 const HARMONICS: [usize; 4] = [1, 2, 3, 4];
@@ -44,8 +44,11 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
     out.push(add("viscous", q, p, None, format!("friction viscous_{q} on {q} {{ viscous {name}; }}")));
 
     let typical = scales.rate.get(i).copied().unwrap_or(0.0);
+    // another width of a friction that is there is no effect
+    let dry = rig.frictions.iter().any(|f| f.coulomb.is_some() && matches!(f.of, Expr::Symbol(Symbol::Coordinate(of)) if of == i));
     if typical > 0.0 {
-        for (k, share) in [0.03, 0.15, 0.006].into_iter().enumerate() {
+        let widths: &[f64] = if dry { &[] } else { &[0.03, 0.15, 0.006] };
+        for (k, share) in widths.iter().copied().enumerate() {
             let width = rounded(share * typical);
             let name = names.free(&format!("F_c_{q}"));
             let p = vec![parameter(&name, row.text(), true, "Coulomb friction")];

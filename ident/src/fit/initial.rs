@@ -72,9 +72,12 @@ pub(crate) fn estimate(
     let mut errors = Vec::new();
     let mut slopes = Vec::new();
     for (output, (&i, values)) in data.outputs.iter().zip(&data.measured).enumerate() {
-        let y = &values[from..from + window];
-        let floor = (model.output_path(i, p).quantum / 12_f64.sqrt()).max(1e-6 * spread(values));
-        let fitted = beginning(t, y, floor);
+        // samples that are out of use are NaN
+        let used: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+        let (t, y): (Vec<f64>, Vec<f64>) = t.iter().zip(&values[from..from + window]).filter(|(_, y)| y.is_finite()).unzip();
+        let (t, y) = if y.is_empty() { (vec![t0], vec![0.0]) } else { (t, y) };
+        let floor = (model.output_path(i, p).quantum / 12_f64.sqrt()).max(1e-6 * spread(&used));
+        let fitted = beginning(t0, &t, &y, floor);
         let value = match (start, states.coordinates) {
             (Start::Settled, _) => y.iter().sum::<f64>() / y.len() as f64,
             (Start::AtRest, _) | (_, Known::Fixed) => y[0],
@@ -83,7 +86,7 @@ pub(crate) fn estimate(
         let rate = if states.rates == Known::Fixed { 0.0 } else { fitted.rate };
         lines.push((i, Line { value, rate }));
         errors.push((fitted.noise, fitted.rate_error));
-        slopes.push(slope(output, t, y, fitted.noise));
+        slopes.push(slope(output, &t, &y, fitted.noise));
     }
     let x = state_from(model, p, t0, &lines, &data.inputs(model, p, t0));
 
@@ -128,11 +131,11 @@ struct Beginning {
     noise: f64,
 }
 
-/// Value and rate at the first of a few samples; `floor` is the least standard deviation that one sample can have.
-fn beginning(t: &[f64], y: &[f64], floor: f64) -> Beginning {
+/// Value and rate at t0 from a few samples; `floor` is the least standard deviation that one sample can have.
+fn beginning(t0: f64, t: &[f64], y: &[f64], floor: f64) -> Beginning {
     let n = t.len() as f64;
     let length = (t[t.len() - 1] - t[0]).max(f64::MIN_POSITIVE);
-    let fits: Vec<Polynomial> = (1..=3).filter(|&d| d + 1 < t.len()).filter_map(|d| polynomial(t, y, d, length)).collect();
+    let fits: Vec<Polynomial> = (1..=3).filter(|&d| d + 1 < t.len()).filter_map(|d| polynomial(t0, t, y, d, length)).collect();
     let Some(best) = (0..fits.len()).min_by(|&a, &b| {
         let bic = |f: &Polynomial| n * (f.squares / n).max(floor * floor).ln() + (f.degree + 1) as f64 * n.ln();
         bic(&fits[a]).total_cmp(&bic(&fits[b]))
@@ -159,8 +162,8 @@ struct Polynomial {
     squares: f64,
 }
 
-fn polynomial(t: &[f64], y: &[f64], degree: usize, length: f64) -> Option<Polynomial> {
-    let a = DMatrix::from_fn(t.len(), degree + 1, |k, j| ((t[k] - t[0]) / length).powi(j as i32));
+fn polynomial(t0: f64, t: &[f64], y: &[f64], degree: usize, length: f64) -> Option<Polynomial> {
+    let a = DMatrix::from_fn(t.len(), degree + 1, |k, j| ((t[k] - t0) / length).powi(j as i32));
     let y = DVector::from_row_slice(y);
     let inverse = (a.transpose() * &a).try_inverse()?;
     let c = &inverse * (a.transpose() * &y);
@@ -178,10 +181,10 @@ mod tests {
         let quantum = 0.0026;
         let floor = quantum / 12_f64.sqrt();
         let y: Vec<f64> = t.iter().map(|t| ((0.4 - 0.3 * t + 4.0 * t * t) / quantum).round() * quantum).collect();
-        let b = beginning(&t, &y, floor);
+        let b = beginning(0.0, &t, &y, floor);
         assert!((b.rate + 0.3).abs() < 3.0 * b.rate_error && b.rate_error < 0.1, "{} +- {}", b.rate, b.rate_error);
         // standing still: the error is what the quantum leaves open
-        let b = beginning(&t, &vec![0.4; 41], floor);
+        let b = beginning(0.0, &t, &vec![0.4; 41], floor);
         assert!(b.rate.abs() < 1e-12 && b.rate_error >= floor / 0.2 && b.rate_error < 0.01, "{}", b.rate_error);
     }
 }

@@ -257,7 +257,7 @@ pub(crate) fn run(
     let variance: Vec<f64> = noise.sd.iter().map(|s| s * s).collect();
     let decay: Vec<f64> = noise.time.iter().map(|t| 1.0 / t).collect();
     let riccati = matches!(filtering, Filtering::Riccati);
-    let mut stepper = Stepper::new(model, p, &noise.entries, variance.clone(), decay, columns);
+    let mut stepper = Stepper::new(model, p, noise, variance.clone(), decay, columns);
     let mut carried = Carried {
         state: track.initial.iter().copied().chain(vec![0.0; noise.entries.len()]).collect(),
         covariance: if riccati { vec![0.0; order * order] } else { Vec::new() },
@@ -285,6 +285,7 @@ pub(crate) fn run(
                 (0..order).for_each(|i| carried.transition[i * order + i] = 1.0);
             }
             let mut from = times[k - 1];
+            stepper.sample = t - from;
             while from < t {
                 while segment + 1 < segments.len() && segments[segment].to <= from {
                     segment += 1;

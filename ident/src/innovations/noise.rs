@@ -4,6 +4,38 @@ use super::filter::{Track, pass};
 use crate::fit::data::spread;
 use runtime::Model;
 
+/// A number of a friction law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Level {
+    /// A parameter of the model.
+    Parameter(usize),
+    /// A value (SI).
+    Value(f64),
+}
+
+impl Level {
+    pub(super) fn of(self, p: &[f64]) -> f64 {
+        match self {
+            Self::Parameter(i) => p.get(i).copied().unwrap_or(0.0).abs(),
+            Self::Value(value) => value.abs(),
+        }
+    }
+}
+
+/// Dry friction on a coordinate. Where the coordinate stands or turns, the friction takes any value up to its level and a smooth law says
+/// little: within its width and the rate's uncertainty it is random.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dry {
+    /// The random force of that coordinate (index into [`Noise::entries`]).
+    pub entry: usize,
+    /// State that is the rate.
+    pub rate: usize,
+    /// Level of the friction.
+    pub level: Level,
+    /// Width of the smooth law, in the rate's unit.
+    pub width: Level,
+}
+
 /// Random forces on the coordinates, and noise of the outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Noise {
@@ -15,6 +47,8 @@ pub struct Noise {
     pub time: Vec<f64>,
     /// Standard deviation of each output's noise (SI), by output of the model.
     pub output_sd: Vec<f64>,
+    /// Dry friction.
+    pub dry: Vec<Dry>,
 }
 
 /// Least and largest noise of an output, in standard deviations of its encoder's steps (or 1e-5 of its spread).
@@ -40,7 +74,7 @@ impl Noise {
                 }
             }
         }
-        Self { time: vec![0.2; entries.len()], entries, sd, output_sd: floor }
+        Self { time: vec![0.2; entries.len()], entries, sd, output_sd: floor, dry: Vec::new() }
     }
 
     fn get(&self, k: usize) -> f64 {

@@ -4,6 +4,7 @@
 //! series of the exponential. No step crosses a switch of an input.
 
 use super::filter::Column;
+use super::noise::{Dry, Noise};
 use runtime::Model;
 use sim::Segment;
 
@@ -39,6 +40,9 @@ pub(crate) struct Stepper<'a> {
     columns: &'a [Column<'a>],
     /// Parameters whose derivatives are asked of the model: disturbances, then those of the columns.
     asked: Vec<usize>,
+    dry: Vec<Dry>,
+    /// Time between the samples [s].
+    pub sample: f64,
     delays: bool,
     fastest: f64,
     p: Vec<f64>,
@@ -62,16 +66,19 @@ pub(crate) struct Stepper<'a> {
 }
 
 impl<'a> Stepper<'a> {
-    pub fn new(model: &'a dyn Model, p: &[f64], entries: &[usize], variance: Vec<f64>, decay: Vec<f64>, columns: &'a [Column<'a>]) -> Self {
+    pub fn new(model: &'a dyn Model, p: &[f64], noise: &Noise, variance: Vec<f64>, decay: Vec<f64>, columns: &'a [Column<'a>]) -> Self {
+        let entries = &noise.entries;
         let d = model.dimensions();
         let n = d.states();
         let order = n + entries.len();
-        let mut asked = entries.to_vec();
+        let mut asked = entries.clone();
         asked.extend(columns.iter().filter_map(|c| if let Column::Parameter(i) = c { Some(*i) } else { None }));
         let zeros = |length: usize| vec![0.0; length];
         Self {
             model,
-            entries: entries.to_vec(),
+            entries: entries.clone(),
+            dry: noise.dry.clone(),
+            sample: 0.0,
             decay,
             variance,
             columns,
@@ -215,6 +222,19 @@ impl<'a> Stepper<'a> {
             for k in 0..nd {
                 let at = (n + k) * order + n + k;
                 carried.covariance[at] += self.variance[k] * -(-2.0 * h * self.decay[k]).exp_m1();
+            }
+            for dry in &self.dry {
+                // the smooth law over the rate's distribution: what is left of its variance
+                let (rate, width) = (carried.state[dry.rate], dry.width.of(&self.p));
+                let spread = (carried.covariance[dry.rate * order + dry.rate].max(0.0) + width * width).sqrt();
+                let sure = (std::f64::consts::FRAC_2_PI.sqrt() * rate / spread.max(f64::MIN_POSITIVE)).tanh();
+                let power = dry.level.of(&self.p).powi(2) * (1.0 - sure * sure) * self.sample * h;
+                for i in 0..n {
+                    let by = power * self.dfdp[i * asked + dry.entry];
+                    for j in 0..n {
+                        carried.covariance[i * order + j] += by * self.dfdp[j * asked + dry.entry];
+                    }
+                }
             }
         }
         if !carried.transition.is_empty() {
