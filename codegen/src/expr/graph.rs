@@ -159,6 +159,8 @@ pub struct Graph {
     pub(super) symbols: IndexSet<SymbolInfo, FxBuildHasher>,
     labels: IndexMap<Id, (String, bool), FxBuildHasher>,
     scope: String,
+    /// Place of `scope` in `scope_names`, once a node of it was made.
+    scope_index: Option<u32>,
     scopes: Vec<u32>,
     scope_names: IndexSet<String, FxBuildHasher>,
 }
@@ -264,6 +266,7 @@ impl Graph {
     /// Sets what the nodes made from now on are about (`heli`, `M`, `force on heli`).
     pub fn set_scope(&mut self, scope: impl Into<String>) {
         self.scope = scope.into();
+        self.scope_index = None;
     }
 
     /// What was being derived when a node was made first.
@@ -276,11 +279,12 @@ impl Graph {
     pub(super) fn insert(&mut self, node: Node) -> Id {
         let (index, new) = self.nodes.insert_full(node);
         if new {
-            let scope = match self.scope_names.get_index_of(&self.scope) {
+            let scope = match self.scope_index {
                 Some(scope) => scope,
-                None => self.scope_names.insert_full(self.scope.clone()).0,
+                None => self.scope_names.insert_full(self.scope.clone()).0 as u32,
             };
-            self.scopes.push(scope as u32);
+            self.scope_index = Some(scope);
+            self.scopes.push(scope);
         }
         Id(index as u32)
     }
