@@ -1,7 +1,8 @@
 //! How deriving, compiling and calling grow with the number of joints.
 
 use crate::ours;
-use crate::rigs::{self, Shape};
+use crate::rigs;
+use crate::steps::SHAPES;
 use crate::table::Table;
 
 const JOINTS: [usize; 9] = [2, 3, 4, 6, 8, 10, 15, 20, 30];
@@ -15,7 +16,7 @@ pub fn table() -> Result<Table, String> {
         "growth with the number of joints",
         &["joints", "shape", "derive [ms]", "ops x'", "ops [A, B]", "compile x' [ms]", "[A, B] [ms]", "call x' [ns]", "[A, B] [ns]"],
     );
-    for (shape, name) in [(Shape::Planar, "planar chain"), (Shape::Chain, "chain z, y, x"), (Shape::Tree, "tree z, y, x")] {
+    for (shape, name) in SHAPES {
         for n in JOINTS {
             let rig = rigs::check("family", &rigs::family(shape, n))?;
             let (f, _) = ours::measure(&rig, if n > 10 { 2 } else { 5 })?;

@@ -26,16 +26,22 @@ pub fn repeat(arguments: &[String]) -> Result<(), String> {
 /// # Errors
 /// Where valgrind is not there or fails.
 pub fn per_call(model: &str) -> Result<[f64; 2], String> {
-    let program = std::env::current_exe().map_err(|e| e.to_string())?;
-    let total = |what: &str, count: u32| -> Result<f64, String> {
-        let mut command = Command::new("valgrind");
-        command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(&program).args([REPEAT, model, what, &count.to_string()]);
-        let out = command.output().map_err(|e| format!("valgrind: {e}"))?;
-        let said = String::from_utf8_lossy(&out.stderr);
-        let collected = said.lines().find_map(|line| line.split("Collected :").nth(1)).and_then(|n| n.trim().parse().ok());
-        collected.filter(|_| out.status.success()).ok_or_else(|| format!("valgrind failed:\\n{said}"))
-    };
-    let (few, many) = (100, 1100);
+    let (few, many) = (100_u32, 1100_u32);
+    let total = |what: &str, count: u32| counted(&[REPEAT, model, what, &count.to_string()]);
     let each = |what: &str| Ok::<f64, String>((total(what, many)? - total(what, few)?) / f64::from(many - few));
     Ok([each("forward")?, each("linear")?])
+}
+
+/// Instructions of a whole run of this program with hidden arguments.
+///
+/// # Errors
+/// Where valgrind is not there or fails.
+pub fn counted(arguments: &[&str]) -> Result<f64, String> {
+    let program = std::env::current_exe().map_err(|e| e.to_string())?;
+    let mut command = Command::new("valgrind");
+    command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(&program).args(arguments);
+    let out = command.output().map_err(|e| format!("valgrind: {e}"))?;
+    let said = String::from_utf8_lossy(&out.stderr);
+    let collected = said.lines().find_map(|line| line.split("Collected :").nth(1)).and_then(|n| n.trim().parse().ok());
+    collected.filter(|_| out.status.success()).ok_or_else(|| format!("valgrind failed:\n{said}"))
 }

@@ -1,8 +1,9 @@
 //! Figures of speed, on the machine at hand: deriving, compiling in the process, evaluating; beside the generated
 //! Rust, and beside CasADi as its users write the same models and given our equations.
 //!
-//! `cargo run --release -p bench -- [--no-casadi] [--no-rust] [--no-growth] [--instructions]`. CasADi needs python3
-//! (it is installed in an environment of its own below the target folder) and gcc; `--instructions` needs valgrind.
+//! `cargo run --release -p bench -- [--no-casadi] [--no-rust] [--no-growth] [--instructions] [--steps]`. CasADi needs python3
+//! (it is installed in an environment of its own below the target folder) and gcc; `--instructions`
+//! and `--steps` need valgrind; `--steps` prints the growth of each step and nothing else.
 
 mod calls;
 mod casadi;
@@ -12,6 +13,7 @@ mod instructions;
 mod ours;
 mod rigs;
 mod rust;
+mod steps;
 mod table;
 mod timing;
 
@@ -22,12 +24,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use table::Table;
 
-const USAGE: &str = "usage: bench [--no-casadi] [--no-rust] [--no-growth] [--instructions]";
+const USAGE: &str = "usage: bench [--no-casadi] [--no-rust] [--no-growth] [--instructions] [--steps]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let result = match arguments.first() {
         Some(first) if first == instructions::REPEAT => instructions::repeat(&arguments[1..]),
+        Some(first) if first == steps::STEP => steps::run(&arguments[1..]),
         _ => run(&arguments),
     };
     match result {
@@ -41,11 +44,15 @@ fn main() -> ExitCode {
 
 fn run(arguments: &[String]) -> Result<(), String> {
     // cargo bench adds a flag of its own
-    let known = ["--no-casadi", "--no-rust", "--no-growth", "--instructions", "--bench"];
+    let known = ["--no-casadi", "--no-rust", "--no-growth", "--instructions", "--steps", "--bench"];
     if let Some(unknown) = arguments.iter().find(|a| !known.contains(&a.as_str())) {
         return Err(format!("{unknown}: {USAGE}"));
     }
     let asked = |flag: &str| arguments.iter().any(|a| a == flag);
+    if asked("--steps") {
+        print!("{}", steps::table()?);
+        return Ok(());
+    }
     let bench = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let folder = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| bench.join("../target"), PathBuf::from).join("bench");
     std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;

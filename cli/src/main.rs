@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod control_change;
+mod examples;
 mod failure;
 mod load;
 mod operating;

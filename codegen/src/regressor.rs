@@ -6,7 +6,7 @@
 //! What is not affine stays in `rest` and is listed.
 
 use crate::derive::BodyRoad;
-use crate::expr::{Derivative, Graph, Id, SymbolId, SymbolKind};
+use crate::expr::{Derivative, Differentiable, Graph, Id, SymbolId, SymbolKind};
 use crate::lower::{Lowering, Lumps};
 use crate::mechanics::bodies::{Inertia, per_link};
 use crate::mechanics::tree::Tree;
@@ -100,8 +100,9 @@ pub fn regressor(rig: &Rig, lumps: Lumps) -> Option<Regressor> {
 
     // user parameters outside the bodies: affine if no entry of dID/dp depends on any of them again
     let mut outside: Vec<(usize, Vec<Id>)> = Vec::new();
+    let rows = Differentiable::new(g, &total);
     for (k, &symbol) in lowering.p.iter().enumerate() {
-        let slopes = g.differentiate(&total, symbol, Derivative::Exact);
+        let slopes = rows.by(g, symbol, Derivative::Exact);
         if slopes.iter().any(|&d| !g.is_zero(d)) {
             outside.push((k, slopes));
         }

@@ -1,7 +1,7 @@
 //! A rig on the test bench: model in the process, named trims, linear models along named inputs.
 
 use codegen::{Direction, Options, derive, direction_by_name, operating_points};
-use control::{LinearModel, Plant, Trim, TrimProblem, Unknown};
+use control::{LinearModel, Plant, Trim, TrimProblem};
 use jit::InProcess;
 use model_dsl::rig::Rig;
 use nalgebra::DMatrix;
@@ -58,9 +58,7 @@ impl Bench {
             point.held.retain(|(d, _)| !d.overlaps(&direction));
             point.held.push((direction, *value));
         }
-        let (x, u) = point.start(&e.layout);
-        let unknowns = point.solved.into_iter().map(|d| Unknown { name: d.name, states: d.states, signals: d.signals }).collect();
-        TrimProblem { x, u, unknowns, zero: point.zero }
+        crate::trims::problem(point, &e.layout)
     }
 
     /// A named trim, solved.

@@ -3,8 +3,8 @@
 
 use codegen::emit::{declared, declared_fingerprint};
 use codegen::expr::{Id, SymbolKind};
-use codegen::{Equations, Options, derive};
-use control::{RiccatiData, TrimError, TrimProblem, Unknown};
+use codegen::{Equations, Options, derive, direction_by_name, operating_points};
+use control::{RiccatiData, TrimError};
 use cross_checks::close::by_rows_of_scale;
 use cross_checks::trims::problem;
 use cross_checks::{oracle_rigs, rig_of, root};
@@ -183,11 +183,11 @@ fn every_trim_agrees_with_casadi() {
         let p = e.layout.nominal.clone();
         let list = quantities(&e);
         let model = InProcess::new(derived(&rig, &name));
-        for (trim, theirs) in rig.trims.iter().zip(trims) {
+        for (trim, theirs) in operating_points(&rig, &e.layout, e.lumps).into_iter().zip(trims) {
             let label = format!("{name}, trim {}", trim.name);
             assert_eq!(theirs["name"], trim.name.as_str());
             let residual = theirs["residual"].as_f64().unwrap_or(f64::NAN);
-            let problem: TrimProblem = problem(&rig, &model, trim, &p);
+            let problem = problem(trim, &e.layout);
             let ours = control::solve(&model, &p, &problem);
             if residual > 1e-6 {
                 assert!(
@@ -289,6 +289,7 @@ fn a_turned_sign_is_seen() {
 #[test]
 fn mixed_inputs_move_their_inputs() {
     let rig = rig_of(&root().join("examples/rigs/googol.rig"));
-    let unknown: Unknown = cross_checks::trims::unknown(&rig, model_dsl::rig::Symbol::Mixed(0, 1));
-    assert_eq!((unknown.name.as_str(), unknown.signals), ("f_d", vec![(0, 0.5), (1, -0.5)]));
+    let layout = derived(&rig, "googol").layout;
+    let f_d = direction_by_name(&rig, &layout, "f_d").expect("a mixed input");
+    assert_eq!((f_d.name.as_str(), f_d.states, f_d.signals), ("f_d", vec![], vec![(0, 0.5), (1, -0.5)]));
 }

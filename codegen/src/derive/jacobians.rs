@@ -4,7 +4,7 @@
 use super::parts::Parts;
 use super::{Options, fingerprint};
 use crate::equations::{CrossCheck, Equations, Layout, Linear};
-use crate::expr::{Derivative, F1, Graph, Id, Node, SymbolId};
+use crate::expr::{Derivative, Differentiable, F1, Graph, Id, Node, SymbolId};
 use crate::lower::Lowering;
 use crate::mechanics::solve::{Factor, factor};
 use model_dsl::rig::{ForceKind, FrameRef, Rig};
@@ -282,12 +282,16 @@ impl Implicit<'_> {
         let states = 2 * n + self.lag_rates.len();
         let mut out = vec![vec![zero; symbols.len()]; states];
         let roots: Vec<Id> = self.free.iter().map(|&i| self.inverse_dynamics[i]).collect();
+        let rows = Differentiable::new(g, &roots);
+        let prescribed: Vec<(usize, Differentiable)> =
+            self.lowering.prescribed.iter().enumerate().filter_map(|(i, given)| Some((i, Differentiable::new(g, &[(*given)?])))).collect();
+        let lag_rates: Vec<Differentiable> = self.lag_rates.iter().map(|&rate| Differentiable::new(g, &[rate])).collect();
         let a = &self.lowering.a;
         // slopes over the acceleration symbols, which then take their solved values all at once
         let mut slopes: Vec<Id> = Vec::new();
         for &s in symbols {
             g.set_scope(format!("by_{}", g.symbol_info(s).name.replace('.', "_")));
-            slopes.extend(g.differentiate(&roots, s, mode));
+            slopes.extend(rows.by(g, s, mode));
         }
         let solution = self.acceleration;
         g.set_scope("slopes");
@@ -301,14 +305,13 @@ impl Implicit<'_> {
             let mut column: Vec<Id> = slopes[j * roots.len()..(j + 1) * roots.len()].to_vec();
             // a prescribed acceleration (a signal, or a trajectory over parameters) enters the free rows through M: its
             // symbol stands in ID as `a`
-            for (i, given) in self.lowering.prescribed.iter().enumerate() {
-                let Some(given) = *given else { continue };
-                let slope = g.differentiate(&[given], s, mode)[0];
+            for &(i, ref given) in &prescribed {
+                let slope = given.by(g, s, mode)[0];
                 if g.is_zero(slope) {
                     continue;
                 }
                 out[n + i][j] = slope;
-                let through = g.differentiate(&roots, a[i], mode);
+                let through = rows.by(g, a[i], mode);
                 for (value, part) in column.iter_mut().zip(through) {
                     let part = g.mul(part, slope);
                     *value = g.add(*value, part);
@@ -320,8 +323,8 @@ impl Implicit<'_> {
                 g.label(d, format!("d_{}_ddot_by_{what}", self.lowering_name(g, i)));
                 out[n + i][j] = d;
             }
-            for (k, &rate) in self.lag_rates.iter().enumerate() {
-                out[2 * n + k][j] = g.differentiate(&[rate], s, mode)[0];
+            for (k, rate) in lag_rates.iter().enumerate() {
+                out[2 * n + k][j] = rate.by(g, s, mode)[0];
             }
         }
         out

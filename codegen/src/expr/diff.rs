@@ -11,93 +11,122 @@ pub enum Derivative {
     WithoutFrictionSlope,
 }
 
-impl Graph {
-    /// Partial derivatives of `roots` with respect to one symbol.
-    pub fn differentiate(&mut self, roots: &[Id], wrt: SymbolId, mode: Derivative) -> Vec<Id> {
-        let order = self.reachable(roots);
-        let zero = self.zero();
-        let highest = order.last().map_or(0, |id| id.index() + 1);
-        let mut slope = vec![zero; highest];
-        for id in order {
-            slope[id.index()] = self.slope_of(id, &slope, wrt, mode);
+/// Expressions whose derivatives are wanted: what they need is gathered once, however many symbols follow.
+#[derive(Clone, Debug)]
+pub struct Differentiable {
+    /// Nodes that the roots need, ascending, with the places of their operands in this list (a single operand twice).
+    nodes: Vec<(Id, [u32; 2])>,
+    /// Places of the roots.
+    roots: Vec<u32>,
+}
+
+impl Differentiable {
+    /// Gathers what `roots` need.
+    #[must_use]
+    pub fn new(g: &Graph, roots: &[Id]) -> Self {
+        let reach = g.reach(roots);
+        let place = |id: Id| reach.place(id) as u32;
+        let operands = |id: Id| match g.node(id).operands() {
+            [Some(a), Some(b)] => [place(a), place(b)],
+            [a, b] => [a.or(b).map_or(0, place); 2],
+        };
+        let nodes = reach.ids().map(|id| (id, operands(id))).collect();
+        Self { nodes, roots: roots.iter().map(|&id| reach.place(id) as u32).collect() }
+    }
+
+    /// Partial derivatives of the roots with respect to one symbol.
+    pub fn by(&self, g: &mut Graph, wrt: SymbolId, mode: Derivative) -> Vec<Id> {
+        self.along(g, |g, s| if s == wrt { g.one() } else { g.zero() }, mode)
+    }
+
+    /// Derivative along a direction, in which each symbol moves with the rate that `rate` gives.
+    fn along(&self, g: &mut Graph, rate: impl Fn(&mut Graph, SymbolId) -> Id, mode: Derivative) -> Vec<Id> {
+        let zero = g.zero();
+        let mut slope: Vec<Id> = Vec::with_capacity(self.nodes.len());
+        for &(id, operands) in &self.nodes {
+            let value = match g.node(id) {
+                Node::Symbol(s) => rate(g, s),
+                Node::Number(_) => zero,
+                node => match operands.map(|place| slope[place as usize]) {
+                    // nothing moves; a division by the number zero says so in its slope too
+                    still if still == [zero; 2] && !matches!(node, Node::Div(..)) => zero,
+                    moving => g.chain_rule(id, node, moving, mode),
+                },
+            };
+            slope.push(value);
         }
-        roots.iter().map(|id| slope[id.index()]).collect()
+        self.roots.iter().map(|&place| slope[place as usize]).collect()
+    }
+}
+
+impl Graph {
+    /// Partial derivatives of `roots` with respect to one symbol; with respect to several: [`Differentiable`].
+    pub fn differentiate(&mut self, roots: &[Id], wrt: SymbolId, mode: Derivative) -> Vec<Id> {
+        Differentiable::new(self, roots).by(self, wrt, mode)
+    }
+
+    /// Gradient of one expression.
+    pub fn gradient(&mut self, root: Id, symbols: &[SymbolId], mode: Derivative) -> Vec<Id> {
+        let root = Differentiable::new(self, &[root]);
+        symbols.iter().map(|&s| root.by(self, s, mode)[0]).collect()
     }
 
     /// Jacobian: `result[i][j]` = d `roots[i]` / d `symbols[j]`.
     pub fn jacobian(&mut self, roots: &[Id], symbols: &[SymbolId], mode: Derivative) -> Vec<Vec<Id>> {
-        let columns: Vec<Vec<Id>> = symbols.iter().map(|&s| self.differentiate(roots, s, mode)).collect();
+        let gathered = Differentiable::new(self, roots);
+        let columns: Vec<Vec<Id>> = symbols.iter().map(|&s| gathered.by(self, s, mode)).collect();
         (0..roots.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect()
     }
 
     /// Directional derivative: symbols listed in `seeds` move with the given rates.
     pub fn directional(&mut self, roots: &[Id], seeds: &[(SymbolId, Id)]) -> Vec<Id> {
-        let order = self.reachable(roots);
-        let zero = self.zero();
-        let highest = order.last().map_or(0, |id| id.index() + 1);
-        let mut slope = vec![zero; highest];
-        for id in order {
-            slope[id.index()] = match self.node(id) {
-                Node::Symbol(s) => seeds.iter().find(|(seed, _)| *seed == s).map_or(zero, |(_, rate)| *rate),
-                _ => self.chain_rule(id, &slope, Derivative::Exact),
-            };
-        }
-        roots.iter().map(|id| slope[id.index()]).collect()
+        let rate = |g: &mut Graph, s| seeds.iter().find(|(seed, _)| *seed == s).map_or_else(|| g.zero(), |(_, rate)| *rate);
+        Differentiable::new(self, roots).along(self, rate, Derivative::Exact)
     }
 
-    fn slope_of(&mut self, id: Id, slope: &[Id], wrt: SymbolId, mode: Derivative) -> Id {
-        match self.node(id) {
-            Node::Symbol(s) if s == wrt => self.one(),
-            Node::Symbol(_) => self.zero(),
-            _ => self.chain_rule(id, slope, mode),
-        }
-    }
-
-    fn chain_rule(&mut self, id: Id, slope: &[Id], mode: Derivative) -> Id {
-        let of = |x: Id| slope[x.index()];
-        match self.node(id) {
+    /// Slope of a node from the slopes `da` and `db` of its operands.
+    fn chain_rule(&mut self, id: Id, node: Node, [da, db]: [Id; 2], mode: Derivative) -> Id {
+        match node {
             Node::Number(_) | Node::Symbol(_) => self.zero(),
-            Node::Add(a, b) => self.add(of(a), of(b)),
-            Node::Sub(a, b) => self.sub(of(a), of(b)),
+            Node::Add(..) => self.add(da, db),
+            Node::Sub(..) => self.sub(da, db),
             Node::Mul(a, b) => {
                 if a == b {
-                    if self.is_zero(of(a)) {
-                        return self.zero();
+                    if self.is_zero(da) {
+                        return da;
                     }
                     let two = self.num(2.0);
                     let twice = self.mul(two, a);
-                    return self.mul(twice, of(a));
+                    return self.mul(twice, da);
                 }
-                let left = self.mul(of(a), b);
-                let right = self.mul(a, of(b));
+                let left = self.mul(da, b);
+                let right = self.mul(a, db);
                 self.add(left, right)
             }
-            Node::Div(a, b) => {
-                let (da, db) = (of(a), of(b));
+            Node::Div(_, b) => {
                 // (da - (a/b) db) / b reuses the quotient
                 let carried = self.mul(id, db);
                 let top = self.sub(da, carried);
                 self.div(top, b)
             }
-            Node::Neg(a) => self.neg(of(a)),
+            Node::Neg(_) => self.neg(da),
             Node::Powi(a, n) => {
-                if self.is_zero(of(a)) {
-                    return self.zero();
+                if self.is_zero(da) {
+                    return da;
                 }
                 let power = self.powi(a, n - 1);
                 let k = self.num(f64::from(n));
                 let outer = self.mul(k, power);
-                self.mul(outer, of(a))
+                self.mul(outer, da)
             }
             Node::Call(f, a) => {
-                let inner = of(a);
-                if self.is_zero(inner) {
-                    return inner;
+                if self.is_zero(da) {
+                    return da;
                 }
                 let outer = self.outer_slope(f, a, id, mode);
-                self.mul(outer, inner)
+                self.mul(outer, da)
             }
-            Node::Call2(f, a, b) => self.slope2(f, a, b, id, of(a), of(b)),
+            Node::Call2(f, a, b) => self.slope2(f, a, b, id, da, db),
         }
     }
 

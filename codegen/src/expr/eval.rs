@@ -1,7 +1,6 @@
 //! Evaluation inside the process without a compiler: a tape of operations over a slice.
 
 use super::graph::{F1, F2, Graph, Id, Node, SymbolId};
-use rustc_hash::FxHashMap;
 
 /// One operation of a [`Tape`]; operands are positions of earlier results.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,24 +40,24 @@ impl Graph {
     /// Straight-line program that computes `roots`.
     #[must_use]
     pub fn tape(&self, roots: &[Id]) -> Tape {
-        let order = self.reachable(roots);
-        let place: FxHashMap<Id, u32> = order.iter().enumerate().map(|(i, &id)| (id, i as u32)).collect();
-        let ops = order
-            .iter()
-            .map(|&id| match self.node(id) {
+        let reach = self.reach(roots);
+        let place = |id: Id| reach.place(id) as u32;
+        let ops = reach
+            .ids()
+            .map(|id| match self.node(id) {
                 Node::Number(bits) => Op::Number(f64::from_bits(bits)),
                 Node::Symbol(s) => Op::Symbol(s),
-                Node::Add(a, b) => Op::Add(place[&a], place[&b]),
-                Node::Sub(a, b) => Op::Sub(place[&a], place[&b]),
-                Node::Mul(a, b) => Op::Mul(place[&a], place[&b]),
-                Node::Div(a, b) => Op::Div(place[&a], place[&b]),
-                Node::Neg(a) => Op::Neg(place[&a]),
-                Node::Powi(a, n) => Op::Powi(place[&a], n),
-                Node::Call(f, a) => Op::Call(f, place[&a]),
-                Node::Call2(f, a, b) => Op::Call2(f, place[&a], place[&b]),
+                Node::Add(a, b) => Op::Add(place(a), place(b)),
+                Node::Sub(a, b) => Op::Sub(place(a), place(b)),
+                Node::Mul(a, b) => Op::Mul(place(a), place(b)),
+                Node::Div(a, b) => Op::Div(place(a), place(b)),
+                Node::Neg(a) => Op::Neg(place(a)),
+                Node::Powi(a, n) => Op::Powi(place(a), n),
+                Node::Call(f, a) => Op::Call(f, place(a)),
+                Node::Call2(f, a, b) => Op::Call2(f, place(a), place(b)),
             })
             .collect();
-        Tape { ops, roots: roots.iter().map(|id| place[id]).collect() }
+        Tape { ops, roots: roots.iter().map(|&id| place(id)).collect() }
     }
 
     /// Values of `roots` where each symbol has the value that `value` gives.

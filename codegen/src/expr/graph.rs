@@ -1,7 +1,10 @@
 //! Nodes, symbols, labels and the arena that holds them.
 
+use hashbrown::HashTable;
+use hashbrown::hash_table::Entry;
 use indexmap::{IndexMap, IndexSet};
 use rustc_hash::FxBuildHasher;
+use std::hash::BuildHasher;
 
 /// A node of a [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -155,10 +158,15 @@ impl Node {
 /// Hash-consed arena of expressions.
 #[derive(Clone, Default, Debug)]
 pub struct Graph {
-    pub(super) nodes: IndexSet<Node, FxBuildHasher>,
+    pub(super) nodes: Vec<Node>,
+    /// Ids by the hash of their nodes, which stands beside them: large models live from few cache misses, and so a table that
+    /// grows does not look at the nodes.
+    ids: HashTable<(u32, Id)>,
     pub(super) symbols: IndexSet<SymbolInfo, FxBuildHasher>,
     labels: IndexMap<Id, (String, bool), FxBuildHasher>,
     scope: String,
+    /// Place of `scope` in `scope_names`, once a node of it was made.
+    scope_index: Option<u32>,
     scopes: Vec<u32>,
     scope_names: IndexSet<String, FxBuildHasher>,
 }
@@ -226,8 +234,10 @@ impl Graph {
     /// The node of a symbol that was made before.
     #[must_use]
     pub fn node_of_symbol(&self, symbol: SymbolId) -> Id {
+        let node = Node::Symbol(symbol);
+        let short = short_hash(&node);
         // every symbol was inserted as a node when it was made
-        Id(self.nodes.get_index_of(&Node::Symbol(symbol)).unwrap_or(0) as u32)
+        self.ids.find(spread(short), |&(h, id)| h == short && self.nodes[id.index()] == node).map_or(Id(0), |entry| entry.1)
     }
 
     /// Looks a symbol up by its meaning.
@@ -264,6 +274,7 @@ impl Graph {
     /// Sets what the nodes made from now on are about (`heli`, `M`, `force on heli`).
     pub fn set_scope(&mut self, scope: impl Into<String>) {
         self.scope = scope.into();
+        self.scope_index = None;
     }
 
     /// What was being derived when a node was made first.
@@ -274,14 +285,30 @@ impl Graph {
     }
 
     pub(super) fn insert(&mut self, node: Node) -> Id {
-        let (index, new) = self.nodes.insert_full(node);
-        if new {
-            let scope = match self.scope_names.get_index_of(&self.scope) {
-                Some(scope) => scope,
-                None => self.scope_names.insert_full(self.scope.clone()).0,
-            };
-            self.scopes.push(scope as u32);
-        }
-        Id(index as u32)
+        let short = short_hash(&node);
+        let same = |&(h, id): &(u32, Id)| h == short && self.nodes[id.index()] == node;
+        let place = match self.ids.entry(spread(short), same, |&(h, _)| spread(h)) {
+            Entry::Occupied(known) => return known.get().1,
+            Entry::Vacant(place) => place,
+        };
+        let id = Id(self.nodes.len() as u32);
+        place.insert((short, id));
+        self.nodes.push(node);
+        let scope = match self.scope_index {
+            Some(scope) => scope,
+            None => self.scope_names.insert_full(self.scope.clone()).0 as u32,
+        };
+        self.scope_index = Some(scope);
+        self.scopes.push(scope);
+        id
     }
+}
+
+fn short_hash(node: &Node) -> u32 {
+    (FxBuildHasher.hash_one(node) >> 32) as u32
+}
+
+/// The table takes a place from the low bits and a tag from the high bits.
+fn spread(short: u32) -> u64 {
+    u64::from(short).wrapping_mul(0x9E37_79B9_7F4A_7C15)
 }

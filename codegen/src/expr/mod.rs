@@ -10,6 +10,7 @@ mod eval;
 mod graph;
 mod reach;
 
-pub use diff::Derivative;
+pub use diff::{Derivative, Differentiable};
 pub use eval::{Op, Tape};
 pub use graph::{F1, F2, Graph, Id, Node, SymbolId, SymbolInfo, SymbolKind};
+pub use reach::Reach;

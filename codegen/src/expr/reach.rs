@@ -3,23 +3,65 @@
 use super::graph::{Graph, Id, Node, SymbolId};
 use rustc_hash::FxHashMap;
 
-impl Graph {
-    /// All nodes that `roots` need, in ascending order (an evaluation order).
+/// A set of nodes, closed under operands: one bit a node of the graph.
+#[derive(Clone, Debug)]
+pub struct Reach {
+    words: Vec<u64>,
+    /// How many nodes of the set stand in earlier words.
+    before: Vec<u32>,
+}
+
+impl Reach {
+    /// Nodes in ascending order (an evaluation order).
+    pub fn ids(&self) -> impl Iterator<Item = Id> + '_ {
+        self.words.iter().enumerate().flat_map(|(w, &word)| {
+            let clear_lowest = |word: &u64| Some(word & (word - 1)).filter(|rest| *rest != 0);
+            std::iter::successors(Some(word).filter(|word| *word != 0), clear_lowest)
+                .map(move |word| Id((w * 64) as u32 + word.trailing_zeros()))
+        })
+    }
+
+    /// Place of a node of the set in the order of [`Reach::ids`].
     #[must_use]
-    pub fn reachable(&self, roots: &[Id]) -> Vec<Id> {
-        let Some(top) = roots.iter().max() else { return Vec::new() };
-        let mut seen = vec![false; top.index() + 1];
+    pub fn place(&self, id: Id) -> usize {
+        let older = (1_u64 << (id.index() % 64)) - 1;
+        self.before[id.index() / 64] as usize + (self.words[id.index() / 64] & older).count_ones() as usize
+    }
+}
+
+impl Graph {
+    /// The set of nodes that `roots` need.
+    #[must_use]
+    pub fn reach(&self, roots: &[Id]) -> Reach {
+        let highest = roots.iter().max().map_or(0, |top| top.index() + 1);
+        let mut words = vec![0_u64; highest.div_ceil(64)];
         for root in roots {
-            seen[root.index()] = true;
+            words[root.index() / 64] |= 1 << (root.index() % 64);
         }
-        for i in (0..=top.index()).rev() {
-            if seen[i] {
-                for operand in self.nodes[i].operands().into_iter().flatten() {
-                    seen[operand.index()] = true;
+        for w in (0..words.len()).rev() {
+            // from the newest node down: an operand in the same word is one of the bits still to come
+            let mut below = u64::MAX;
+            while words[w] & below != 0 {
+                let bit = 63 - (words[w] & below).leading_zeros() as usize;
+                below = (1 << bit) - 1;
+                for operand in self.nodes[w * 64 + bit].operands().into_iter().flatten() {
+                    words[operand.index() / 64] |= 1 << (operand.index() % 64);
                 }
             }
         }
-        seen.iter().enumerate().filter(|(_, s)| **s).map(|(i, _)| Id(i as u32)).collect()
+        let mut before = Vec::with_capacity(words.len());
+        let mut count = 0;
+        for word in &words {
+            before.push(count);
+            count += word.count_ones();
+        }
+        Reach { words, before }
+    }
+
+    /// All nodes that `roots` need, in ascending order (an evaluation order).
+    #[must_use]
+    pub fn reachable(&self, roots: &[Id]) -> Vec<Id> {
+        self.reach(roots).ids().collect()
     }
 
     /// Scalar operations after common subexpressions are shared.
@@ -58,11 +100,10 @@ impl Graph {
 
     /// Rebuilds `roots` with symbols replaced.
     pub fn substitute(&mut self, roots: &[Id], replacement: impl Fn(SymbolId) -> Option<Id>) -> Vec<Id> {
-        let order = self.reachable(roots);
-        let highest = order.last().map_or(0, |id| id.index() + 1);
-        let mut image: Vec<Id> = (0..highest as u32).map(Id).collect();
-        for id in order {
-            let of = |x: Id| image[x.index()];
+        let reach = self.reach(roots);
+        let mut image: Vec<Id> = Vec::new();
+        for id in reach.ids() {
+            let of = |x: Id| image[reach.place(x)];
             let new = match self.node(id) {
                 Node::Number(_) => id,
                 Node::Symbol(s) => replacement(s).unwrap_or(id),
@@ -75,9 +116,9 @@ impl Graph {
                 Node::Call(f, a) => self.call(f, of(a)),
                 Node::Call2(f, a, b) => self.call2(f, of(a), of(b)),
             };
-            image[id.index()] = new;
+            image.push(new);
         }
-        roots.iter().map(|id| image[id.index()]).collect()
+        roots.iter().map(|&id| image[reach.place(id)]).collect()
     }
 
     /// Additive terms of an expression with their signs: a - (b + c) gives a, -b, -c.

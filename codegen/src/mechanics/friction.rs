@@ -27,7 +27,7 @@ pub fn dissipation(rig: &Rig, tree: &Tree, lowering: &Lowering, g: &mut Graph, t
             Along::Points { from, to } => distance(tree, lowering, g, from, to),
         };
         let c = lowering.expr(g, &damper.viscous);
-        let slopes: Vec<Id> = lowering.q.clone().iter().map(|&s| g.differentiate(&[length], s, Derivative::Exact)[0]).collect();
+        let slopes = g.gradient(length, &lowering.q, Derivative::Exact);
         let parts: Vec<Id> = slopes.iter().zip(lowering.rates()).map(|(&s, &v)| g.mul(s, v)).collect();
         let rate = g.sum(&parts);
         let force = g.mul(c, rate);

@@ -33,16 +33,16 @@ pub fn kinetic_energy(rig: &Rig, tree: &Tree, lowering: &Lowering, g: &mut Graph
 
 /// Lagrange's equation for a kinetic energy.
 pub fn from_kinetic_energy(g: &mut Graph, t: Id, lowering: &Lowering) -> Kinetic {
-    let momentum: Vec<Id> = lowering.v.iter().map(|&v| g.differentiate(&[t], v, Derivative::Exact)[0]).collect();
+    let momentum = g.gradient(t, &lowering.v, Derivative::Exact);
     let mass_matrix = g.jacobian(&momentum, &lowering.v, Derivative::Exact);
     let seeds: Vec<_> = lowering.q.iter().copied().zip(lowering.rates().iter().copied()).collect();
     let carried = g.directional(&momentum, &seeds);
-    let pull: Vec<Id> = lowering.q.iter().map(|&q| g.differentiate(&[t], q, Derivative::Exact)[0]).collect();
+    let pull = g.gradient(t, &lowering.q, Derivative::Exact);
     let coriolis = carried.iter().zip(&pull).map(|(&a, &b)| g.sub(a, b)).collect();
     Kinetic { mass_matrix, coriolis }
 }
 
 /// dV/dq.
 pub fn from_potential(g: &mut Graph, v: Id, lowering: &Lowering) -> Vec<Id> {
-    lowering.q.iter().map(|&q| g.differentiate(&[v], q, Derivative::Exact)[0]).collect()
+    g.gradient(v, &lowering.q, Derivative::Exact)
 }

@@ -194,7 +194,7 @@ impl Tree {
 
 /// d x / d q_k for every coordinate that x (affine in q) depends on.
 pub fn drives_of(g: &mut Graph, x: Id, q: &[SymbolId]) -> Vec<(usize, Id)> {
-    let slopes: Vec<Id> = q.iter().map(|&s| g.differentiate(&[x], s, Derivative::Exact)[0]).collect();
+    let slopes = g.gradient(x, q, Derivative::Exact);
     slopes.into_iter().enumerate().filter(|(_, d)| !g.is_zero(*d)).collect()
 }
 
