@@ -263,6 +263,12 @@ fn cuts(data: &Data, options: &FitOptions) -> Vec<usize> {
     cuts
 }
 
+/// The signal never changes but for rounding.
+fn stands_still(values: &[f64]) -> bool {
+    let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    spread(values) <= 1e-12 * largest
+}
+
 /// 1 / scale of each measured output.
 fn first_weights(model: &dyn Model, data: &Data, options: &FitOptions) -> Result<Vec<f64>, FitError> {
     let names = model.names();
@@ -278,10 +284,8 @@ fn first_weights(model: &dyn Model, data: &Data, options: &FitOptions) -> Result
         .iter()
         .zip(&data.measured)
         .map(|(&i, values)| {
-            let size = spread(values);
-            let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            if size > 1e-12 * largest {
-                return Ok(1.0 / size);
+            if !stands_still(values) {
+                return Ok(1.0 / spread(values));
             }
             // a signal that stands still has errors too, and an encoder knows how large they are
             let quantum = model.output_path(i, &nominal(model)).quantum;
@@ -334,6 +338,7 @@ pub(crate) fn reweight(problem: &mut OutputError<'_>, theta: &[f64], options: &F
         if all.is_empty() {
             continue;
         }
+        let quantum = problem.model.output_path(output, &problem.base).quantum;
         let scale = match options.loss {
             Loss::Squares => (all.iter().map(|e| e * e).sum::<f64>() / all.len() as f64).sqrt(),
             _ => {
@@ -344,9 +349,10 @@ pub(crate) fn reweight(problem: &mut OutputError<'_>, theta: &[f64], options: &F
         };
         for piece in &mut problem.pieces {
             if let Some(i) = piece.data.outputs.iter().position(|&o| o == output) {
-                // errors below rounding of the signal are no noise
-                let floor = 1e-9 * spread(&piece.data.measured[i]).max(f64::MIN_POSITIVE);
-                let weight = 1.0 / scale.max(floor);
+                // errors below rounding of the signal are no noise; one that stands still is known to within its encoder's steps
+                let values = &piece.data.measured[i];
+                let floor = if stands_still(values) { quantum / 12_f64.sqrt() } else { 1e-9 * spread(values) };
+                let weight = 1.0 / scale.max(floor).max(f64::MIN_POSITIVE.sqrt());
                 change = change.max((weight / piece.weights[i] - 1.0).abs());
                 piece.weights[i] = weight;
             }
