@@ -428,6 +428,9 @@ pub enum Method {
     OutputError,
     /// The differential equations with the measured motion put in: smoothed derivatives (--cutoff) or the weak form (--bump).
     EquationError,
+    /// What each sample says beyond those before it, seen through a Kalman filter: for rigs that random forces drive, or that a controller
+    /// holds.
+    Innovations,
 }
 
 /// A frequency in hertz, with or without its unit.
