@@ -200,6 +200,9 @@ fn search(
         }
     }
     let Some(mut found) = found else { return Err(FitError::NoRecord) };
+    if problem.pieces.iter().any(|p| p.joined) {
+        found = tightened(problem, found, &coarse, options);
+    }
     if noise {
         for _ in 0..ROUNDS {
             let Some(change) = build::reweight(problem, &found.x, options) else { break };
@@ -213,6 +216,28 @@ fn search(
         found = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
     }
     Ok((found, from))
+}
+
+/// Standard deviations of jumps between pieces, in parts of the signals' spread, one after the other.
+const JUMPS: [f64; 7] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+
+/// Multiple shooting: pieces that were free of each other are held together more and more, and are one run in the end. (Held together
+/// tightly from the beginning, a search that starts far away creeps.)
+fn tightened(problem: &mut OutputError<'_>, from: Minimum, limits: &Limits, options: &FitOptions) -> Minimum {
+    let size = build::largest_spread(problem);
+    let mut found = from;
+    for jump in JUMPS {
+        if options.weights == Weights::Noise {
+            build::reweight(problem, &found.x, options);
+        }
+        problem.continuity.fill(1.0 / (jump * size));
+        let again = LevenbergMarquardt.minimize(problem, &found.x, limits);
+        if again.at.is_none() {
+            break;
+        }
+        found = again;
+    }
+    found
 }
 
 /// Runs into which a record is cut for starting values.

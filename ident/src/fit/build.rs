@@ -118,7 +118,10 @@ pub(crate) fn patterns(model: &dyn Model, p: &[Vec<f64>], data: &[Data], options
             Some(pattern) => Ok(pattern),
             None => {
                 let runs = runs(model, p, data, options);
-                pattern::choose(model, p, &runs, data, &pattern::allowed(model, p, data, options.tolerance))
+                // pieces that are held together are one run in the end: their errors add up
+                let pieces = if options.joined { cuts(data, options).len() - 1 } else { 1 };
+                let tolerance = options.tolerance / pieces as f64;
+                pattern::choose(model, p, &runs, data, &pattern::allowed(model, p, data, tolerance))
             }
         })
         .collect()
@@ -228,7 +231,8 @@ pub(crate) fn assemble<'a>(
     if samples < unknowns.len() {
         return Err(FitError::TooFewSamples { samples, unknowns: unknowns.len() });
     }
-    let continuity = continuity(model, data);
+    // pieces are found each for itself first, and held together then
+    let continuity = vec![0.0; d.states()];
     Ok(OutputError { model, base, unknowns, pieces, loss: options.loss, continuity, evaluations: 0, failure: None })
 }
 
@@ -303,11 +307,9 @@ fn nominal(model: &dyn Model) -> Vec<f64> {
     p
 }
 
-/// 1 / standard deviation of jumps between pieces: 1e-3 of the range that the states are seen to travel.
-fn continuity(model: &dyn Model, data: &[Data]) -> Vec<f64> {
-    let d = model.dimensions();
-    let size = data.iter().flat_map(|d| &d.measured).map(|v| spread(v)).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
-    vec![1.0 / (1e-3 * size); d.states()]
+/// Largest spread of a measured signal, by which jumps between pieces are judged.
+pub(crate) fn largest_spread(problem: &OutputError<'_>) -> f64 {
+    problem.pieces.iter().flat_map(|p| &p.data.measured).map(|v| spread(v)).fold(0.0, f64::max).max(1e-12)
 }
 
 /// Unknowns from parameters for each record, initial states as estimated.
