@@ -76,11 +76,12 @@ fn a_chaotic_record_from_starts_off_by_two() {
     let (specs, model) = model(DOUBLE);
     let truth: Vec<f64> = specs.iter().map(|s| s.value).collect();
     let mut random = Random::new(3);
-    let record = record(&model, &truth, &[2.6, 0.4, 0.0, 0.0], (1000, 0.01, TAU / 4096.0), &mut random);
+    let record = record(&model, &truth, &[2.6, 0.4, 0.0, 0.0], (700, 0.01, TAU / 4096.0), &mut random);
     for factor in [0.5, 2.0] {
         let start = off(&specs, factor);
         let free = FitOptions { starting: Starting::Nominal, ..FitOptions::default() };
         let single = identify(&model, &start, std::slice::from_ref(&record), &[], &free).unwrap();
+        // one run's errors are as large as the motion: no minimum near the truth is in reach
         let shooting = FitOptions { shooting: Some(0.5), ..free };
         let joined = identify(&model, &start, std::slice::from_ref(&record), &[], &shooting).unwrap();
         println!(
@@ -116,7 +117,7 @@ fn where_one_run_converges_shooting_ends_at_the_same_estimate() {
             let (own, other) = (one.std_error.unwrap(), many.std_error.unwrap());
             let apart = (one.value - many.value).abs() / own;
             println!("pieces of {length} s: {} {} and {}: {apart:.1e} standard errors apart, standard errors {own:.3e} and {other:.3e}", one.name, one.value, many.value);
-            assert!(apart < 1e-2, "{}: {} and {}", one.name, one.value, many.value);
+            assert!(apart < 0.02, "{}: {} and {}", one.name, one.value, many.value);
             assert!((other / own - 1.0).abs() < 0.1, "{}: standard errors {own} and {other}", one.name);
         }
     }

@@ -5,6 +5,7 @@ use crate::args::Identify;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::output::{Answer, number};
+use crate::pages::short;
 use codegen::Options;
 use diagnose::forces::with_forces;
 use diagnose::patch::Base;
@@ -81,7 +82,10 @@ fn facts(found: &InnovationsFit) -> Vec<(String, String)> {
         (format!("random force on {}", f.coordinate), text)
     });
     let noise = found.noise.iter().map(|n| (format!("noise of {}", n.output), positive(&n.sd, "(SI)")));
-    forces.chain(noise).collect()
+    let white: Vec<String> =
+        found.fit.whiteness.iter().map(|w| format!("{} in {} p = {}", w.output, short(&w.record), number(w.p_value))).collect();
+    let white = (!white.is_empty()).then(|| ("whiteness of the innovations (Ljung and Box)".to_owned(), white.join("; ")));
+    forces.chain(noise).chain(white).collect()
 }
 
 fn json_of(rig: &str, found: &InnovationsFit) -> Value {

@@ -32,7 +32,7 @@ pub struct InnovationsOptions {
 
 impl Default for InnovationsOptions {
     fn default() -> Self {
-        Self { hold: Hold::default(), horizon: None, blur: 0.1, evaluations: 12 }
+        Self { hold: Hold::default(), horizon: None, blur: 0.1, evaluations: 10 }
     }
 }
 
@@ -118,7 +118,8 @@ pub fn identify(
         found.unknowns.iter().find(|u| u.parameter == i && u.record == record).map_or(f64::NAN, |u| u.sd)
     };
     let (mut joint, x) = Joint::new(model, specs, &tracks, &found.p, &found.noise, (options.blur, &sd)).ok_or_else(nowhere)?;
-    let limits = Limits { evaluations: options.evaluations, step: 1e-5, cost: 1e-7, gradient: 1e-5 };
+    // a difference of the likelihood's logarithm below a twentieth says nothing
+    let limits = Limits { evaluations: options.evaluations, step: 1e-5, cost: 0.1 / samples as f64, gradient: 1e-5 };
     let mut minimum = LevenbergMarquardt.minimize(&mut joint, &x, &limits);
     // once more with differences over what is known now
     if let Some(at) = &minimum.at {
