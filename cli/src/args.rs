@@ -483,7 +483,8 @@ pub struct Identify {
     /// Equation error by smoothed derivatives: order of the Butterworth low pass.
     #[arg(long, value_name = "N", default_value_t = 4)]
     pub order: usize,
-    /// Equation error by smoothed derivatives: keep every N-th equation, after a second low pass.
+    /// Equation error by smoothed derivatives: keep every N-th equation, after a second low pass. Innovations: average N samples into
+    /// one.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub decimate: usize,
     /// Equation error in weak form: samples of a test function.

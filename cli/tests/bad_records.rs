@@ -176,6 +176,7 @@ fn what_is_said_to_a_record_whose_signals_stand_still() {
         .expect("the program starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let text = String::from_utf8_lossy(&output.stdout);
-    let told: Vec<&str> = text.lines().filter(|l| ["without effect", "the records tell", "training"].iter().any(|w| l.contains(w))).collect();
+    let told: Vec<&str> =
+        text.lines().filter(|l| ["without effect", "the records tell", "training"].iter().any(|w| l.contains(w))).collect();
     insta::assert_snapshot!(told.join("\n"));
 }

@@ -63,7 +63,8 @@ fn the_answer_in_json_and_as_a_page() {
     assert_eq!((&force["coordinate"], &force["unit"]), (&"x".into(), &"N".into()));
     assert!(holds(&force["sd"]["ci95"], 0.2) && holds(&force["correlation_time"]["ci95"], 0.1), "{force}");
     assert!(holds(&found["output_noise"][0]["sd"]["ci95"], 0.001), "{}", found["output_noise"]);
-    for field in ["initial_states", "objective", "cost", "log_likelihood", "rmse", "correlation", "evaluations", "seconds", "started_from"] {
+    for field in ["initial_states", "objective", "cost", "log_likelihood", "rmse", "correlation", "evaluations", "seconds", "started_from"]
+    {
         assert!(!found[field].is_null(), "{field}");
     }
     let white = found["whiteness"].as_array().expect("a list");
@@ -82,7 +83,8 @@ fn what_it_says() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     // figures to three digits: the last ones are the machine's, as are effort and time
     // and of the probabilities only that they are not small
-    let text: Vec<String> = String::from_utf8_lossy(&output.stdout).lines().skip(1).filter(|l| !l.contains("whiteness")).map(rounded).collect();
+    let text: Vec<String> =
+        String::from_utf8_lossy(&output.stdout).lines().skip(1).filter(|l| !l.contains("whiteness")).map(rounded).collect();
     insta::assert_snapshot!(text.join("\n"));
     let refused = rig(&folder, &["--windows", "1"]);
     assert_eq!(refused.status.code(), Some(1));

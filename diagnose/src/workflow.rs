@@ -12,14 +12,14 @@ use crate::locate::locate;
 use crate::model::prepare;
 use crate::options::{Options, Step};
 use crate::patch::Base;
-use crate::quality::{averaged, integrates, look, mended, mistaken, strangers, stride};
+use crate::quality::{integrates, look, mended, mistaken, strangers, stride};
 use crate::screen::{SAME, Score, UNIQUE, cosine};
 use crate::search::{State, scales};
 use crate::traces;
 use crate::verdict::finish;
 use ident::fit::ParameterSpec;
 use ident::innovations::Track;
-use ident::record::Record;
+use ident::record::{Record, averaged};
 use sim::Hold;
 use std::time::Instant;
 

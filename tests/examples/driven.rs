@@ -13,6 +13,11 @@ fn main() {
         println!("{}\n  output error: {}\n  innovations:  {}", experiment.name, outputs.line(), filtered.line());
         let holds = |ci: Option<(f64, f64)>, truth: f64| usize::from(ci.is_some_and(|(lo, hi)| lo < truth && truth < hi));
         let covered = forces.iter().fold((0, 0), |(s, t), f| (s + holds(f.sd.ci95, FORCE), t + holds(f.time.ci95, TIME)));
-        println!("  random torque: {} fits, standard deviation covered {}, correlation time covered {}", forces.len(), covered.0, covered.1);
+        println!(
+            "  random torque: {} fits, standard deviation covered {}, correlation time covered {}",
+            forces.len(),
+            covered.0,
+            covered.1
+        );
     }
 }

@@ -119,7 +119,14 @@ impl Outcome {
         };
         let (lo, hi) = self.share_interval();
         let names: Vec<String> = (0..3).map(each).collect();
-        format!("{} fitted, {:.1} % covered ({:.1} .. {:.1}); {}", self.fitted, 100.0 * self.share(), 100.0 * lo, 100.0 * hi, names.join("; "))
+        format!(
+            "{} fitted, {:.1} % covered ({:.1} .. {:.1}); {}",
+            self.fitted,
+            100.0 * self.share(),
+            100.0 * lo,
+            100.0 * hi,
+            names.join("; ")
+        )
     }
 }
 

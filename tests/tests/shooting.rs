@@ -116,7 +116,10 @@ fn where_one_run_converges_shooting_ends_at_the_same_estimate() {
         for (one, many) in single.parameters.iter().zip(&joined.parameters) {
             let (own, other) = (one.std_error.unwrap(), many.std_error.unwrap());
             let apart = (one.value - many.value).abs() / own;
-            println!("pieces of {length} s: {} {} and {}: {apart:.1e} standard errors apart, standard errors {own:.3e} and {other:.3e}", one.name, one.value, many.value);
+            println!(
+                "pieces of {length} s: {} {} and {}: {apart:.1e} standard errors apart, standard errors {own:.3e} and {other:.3e}",
+                one.name, one.value, many.value
+            );
             assert!(apart < 0.02, "{}: {} and {}", one.name, one.value, many.value);
             assert!((other / own - 1.0).abs() < 0.1, "{}: standard errors {own} and {other}", one.name);
         }

@@ -34,7 +34,8 @@ pub fn run(args: &Identify, loaded: Loaded, asked: &[ParameterSpec], (records, t
         .iter()
         .filter_map(|f| Some((base.rig.coordinates[f.coordinate].name.clone(), specs.iter().position(|s| s.name == f.parameter)?)))
         .collect();
-    let options = InnovationsOptions { hold: args.hold.into(), horizon: args.horizon, ..InnovationsOptions::default() };
+    let options =
+        InnovationsOptions { hold: args.hold.into(), horizon: args.horizon, block: args.decimate.max(1), ..InnovationsOptions::default() };
     eprintln!(
         "fitting {} parameters and the sizes of random forces on {} coordinates to {} records ..",
         specs.iter().filter(|s| s.free).count(),
@@ -44,6 +45,11 @@ pub fn run(args: &Identify, loaded: Loaded, asked: &[ParameterSpec], (records, t
     let found = identify(&model, &specs, &entries, records, tests, &options).map_err(|e| Failure::new("C0504", e.to_string()))?;
     let rig = &base.rig.name;
     let told = facts(&found);
+    let short = found.forces.iter().filter(|f| f.sd.ci95.is_some() && f.time.at_bound).map(|f| {
+        let text = "is as short as the samples: it may stand for the encoder's steps and make up for the model; average samples with `--decimate N`";
+        (format!("look at this: the random force on {}", f.coordinate), text.to_owned())
+    });
+    let told: Vec<(String, String)> = told.into_iter().chain(short).collect();
     let lines: Vec<String> = told.iter().map(|(name, text)| format!("{name}: {text}")).collect();
     let mut answer = Answer { text: words(rig, &found.fit, &lines), json: json_of(rig, &found) };
     report(args, &mut answer, || page(args, rig, &model, &found.fit, &told, (records, tests)))?;
@@ -60,8 +66,9 @@ fn misplaced(args: &Identify) -> Result<(), Failure> {
         ("--rates", args.rates.is_some()),
     ];
     match given.iter().find(|(_, given)| *given) {
-        Some((option, _)) => Err(Failure::new("C0504", format!("`{option}` has no meaning for `--method innovations`"))
-            .with_help("the filter begins at the state of the first samples, weighs errors by the noises that it finds, and needs no pieces")),
+        Some((option, _)) => Err(Failure::new("C0504", format!("`{option}` has no meaning for `--method innovations`")).with_help(
+            "the filter begins at the state of the first samples, weighs errors by the noises that it finds, and needs no pieces",
+        )),
         None => Ok(()),
     }
 }

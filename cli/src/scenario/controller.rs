@@ -7,8 +7,8 @@ use crate::scenario::build::{Machine, Scenario, outputs, unit};
 use crate::scenario::file::{self, Cost, Rates};
 use crate::scenario::source::Wrong;
 use control::{
-    AngleObserver, Cascade, DerivativeFilter, Estimation, Feedforward, Gain, Holding, InnerRate, KalmanEstimator, KalmanMatrices, Lqr, LqrDesign, LqrError,
-    Operating, Plant, PlantModel, Reference, Rule, Sampled, Sampling, Setup, Tracking, Weight, WeightError, Weighted,
+    AngleObserver, Cascade, DerivativeFilter, Estimation, Feedforward, Gain, Holding, InnerRate, KalmanEstimator, KalmanMatrices, Lqr,
+    LqrDesign, LqrError, Operating, Plant, PlantModel, Reference, Rule, Sampled, Sampling, Setup, Tracking, Weight, WeightError, Weighted,
 };
 use nalgebra::{Complex, DMatrix, DVector};
 use runtime::Model;

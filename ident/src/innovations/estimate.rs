@@ -150,10 +150,8 @@ pub fn estimate(
     noise: Noise,
     options: EstimateOptions,
 ) -> Result<Estimated, FitError> {
-    let nowhere = |tracks: &[Track]| FitError::NoStart {
-        file: tracks.first().map_or_else(String::new, |t| t.source().to_owned()),
-        status: None,
-    };
+    let nowhere =
+        |tracks: &[Track]| FitError::NoStart { file: tracks.first().map_or_else(String::new, |t| t.source().to_owned()), status: None };
     let mut unknowns = Vec::new();
     for (i, s) in specs.iter().enumerate().filter(|(_, s)| s.free) {
         if s.per_record {

@@ -11,7 +11,7 @@ use crate::fit::{
     Estimate, Fit, FitError, FitOptions, Identifiable, InitialValue, ParameterSpec, Preparation, check, equation_error, followed_from,
     identifiable, judge, typical, whiteness,
 };
-use crate::record::Record;
+use crate::record::{Record, averaged};
 use nalgebra::DMatrix;
 use runtime::Model;
 use sim::Hold;
@@ -26,13 +26,16 @@ pub struct InnovationsOptions {
     pub horizon: Option<f64>,
     /// Largest noise of an output in parts of its spread, where that is more than 30 steps of its encoder.
     pub blur: f64,
+    /// Samples that are averaged into one before anything is fitted: a filter looks one sample ahead, and a record at 1 kHz would ask it
+    /// about rounding and vibrations that no rigid body has. Figures of fit are those of the record as it is.
+    pub block: usize,
     /// Evaluations of the search for the likelihood's own maximum.
     pub evaluations: usize,
 }
 
 impl Default for InnovationsOptions {
     fn default() -> Self {
-        Self { hold: Hold::default(), horizon: None, blur: 0.1, evaluations: 10 }
+        Self { hold: Hold::default(), horizon: None, blur: 0.1, block: 1, evaluations: 10 }
     }
 }
 
@@ -104,19 +107,20 @@ pub fn identify(
     let judged = FitOptions { hold: options.hold, horizon: options.horizon, ..FitOptions::default() };
     check(model, specs, records, &judged)?;
     let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
-    let mut tracks = records.iter().map(|r| Track::new(r, model, &nominal, options.hold)).collect::<Result<Vec<_>, _>>()?;
+    let (all, hold) = (records, if options.block > 1 { Hold::First } else { options.hold });
+    let records = &blocks(model, &nominal, records, options)[..];
+    let mut tracks = records.iter().map(|r| Track::new(r, model, &nominal, hold)).collect::<Result<Vec<_>, _>>()?;
     let unknowns = specs.iter().filter(|s| s.free).map(|s| if s.per_record { records.len() } else { 1 }).sum::<usize>() + 2 * forces.len();
     let samples: usize = tracks.iter().map(|t| t.times().len() * t.measured().count()).sum();
     if samples < unknowns {
         return Err(FitError::TooFewSamples { samples, unknowns });
     }
     let entries: Vec<usize> = forces.iter().map(|f| f.1).collect();
-    let (started_from, found) = begin(model, specs, &mut tracks, (&nominal, &entries), records, options)?;
+    let (started_from, found) = begin(model, specs, &mut tracks, (&nominal, &entries), records, &InnovationsOptions { hold, ..*options })?;
 
     let nowhere = || FitError::NoStart { file: tracks[0].source().to_owned(), status: None };
-    let sd = |i: usize, record: Option<usize>| {
-        found.unknowns.iter().find(|u| u.parameter == i && u.record == record).map_or(f64::NAN, |u| u.sd)
-    };
+    let sd =
+        |i: usize, record: Option<usize>| found.unknowns.iter().find(|u| u.parameter == i && u.record == record).map_or(f64::NAN, |u| u.sd);
     let (mut joint, x) = Joint::new(model, specs, &tracks, &found.p, &found.noise, (options.blur, &sd)).ok_or_else(nowhere)?;
     // a difference of the likelihood's logarithm below a twentieth says nothing
     let limits = Limits { evaluations: options.evaluations, step: 1e-5, cost: 0.1 / samples as f64, gradient: 1e-5 };
@@ -172,14 +176,14 @@ pub fn identify(
         seconds: 0.0,
         p_of_record,
     };
-    for (record, p) in records.iter().zip(&fit.p_of_record) {
+    for (record, p) in all.iter().zip(&fit.p_of_record) {
         let of = fit.initial_states.iter().filter(|s| s.record == record.source);
         let states = 0..model.dimensions().states();
         let initial: Vec<(usize, f64)> =
             of.filter_map(|s| Some((states.clone().find(|&i| model.names().state(i) == s.state)?, s.value))).collect();
         fit.train.push(followed_from(model, p, record, options.hold, &initial)?);
     }
-    judge(model, specs, &mut fit, (records, tests), &judged)?;
+    judge(model, specs, &mut fit, (all, tests), &judged)?;
     fit.seconds = began.elapsed().as_secs_f64();
     let forces = forces.iter().enumerate().map(|(k, (name, entry))| RandomForce {
         coordinate: name.clone(),
@@ -192,6 +196,15 @@ pub fn identify(
         _ => None,
     });
     Ok(InnovationsFit { forces: forces.collect(), noise: outputs.collect(), log_likelihood: -cost, fit })
+}
+
+/// Records with blocks of samples averaged.
+fn blocks(model: &dyn Model, p: &[f64], records: &[Record], options: &InnovationsOptions) -> Vec<Record> {
+    let (d, names) = (model.dimensions(), model.names());
+    let wrapped: Vec<String> = (0..d.outputs).filter(|&i| model.output_path(i, p).wrapped).map(|i| names.output(i).to_owned()).collect();
+    let held: Vec<String> =
+        if options.hold == Hold::Zero { (0..d.inputs).map(|i| names.signal(i).to_owned()).collect() } else { Vec::new() };
+    records.iter().map(|r| averaged(r, options.block, &wrapped, &held)).collect()
 }
 
 /// From the rig's values and from those of equation error, whichever records find likelier after a short search; then a long one.
@@ -261,12 +274,12 @@ fn initial_states(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &N
     for (track, p) in tracks.iter().zip(p) {
         let smoothed = smooth(model, p, track, noise).ok().flatten();
         let first = smoothed.as_ref().and_then(|s| s.state.first()).unwrap_or(&track.initial);
-        for state in 0..model.dimensions().states() {
+        for (state, &value) in first.iter().enumerate().take(model.dimensions().states()) {
             let sd = track.initial_sd[state];
             all.push(InitialValue {
                 record: track.source().to_owned(),
                 state: model.names().state(state).to_owned(),
-                value: first[state],
+                value,
                 prior: (sd > 0.0).then_some((track.initial[state], sd)),
                 free: sd > 0.0,
             });

@@ -32,7 +32,10 @@ pub struct Kalman {
 /// Names that the code of a filter uses.
 pub(super) const LOCALS: [&str; 7] = ["shown", "predicted", "gain", "innovation", "corrected", "estimated", "started"];
 
-fn tables(c: &Controller, k: &Kalman) -> [(&'static str, String, Vec<Vec<f64>>, Vec<String>); 5] {
+/// Name, documentation, rows and a remark for each.
+type Table = (&'static str, String, Vec<Vec<f64>>, Vec<String>);
+
+fn tables(c: &Controller, k: &Kalman) -> [Table; 5] {
     let channels: Vec<String> = c.channels.iter().map(|c| c.name.clone()).collect();
     let signals: Vec<&str> = c.signals.iter().map(|s| s.name.as_str()).collect();
     let read = channels.join(", ");

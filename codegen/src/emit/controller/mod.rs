@@ -195,12 +195,15 @@ impl Controller {
 
     /// Some rate is filtered.
     fn has_filters(&self) -> bool {
-        (0..self.channels.len()).any(|i| self.filters_rate(i)) || self.references.iter().any(|(_, s)| matches!(s, Source::Inner { rate: Some(_), .. }))
+        (0..self.channels.len()).any(|i| self.filters_rate(i))
+            || self.references.iter().any(|(_, s)| matches!(s, Source::Inner { rate: Some(_), .. }))
     }
 
     /// Something asks where this channel is: all but those that only the Kalman filter reads.
     fn is_used(&self, channel: usize) -> bool {
-        self.kalman.is_none() || self.needs_target(channel) || matches!(&self.feedforward, Feedforward::Manifold(_, held) if held.contains(&channel))
+        self.kalman.is_none()
+            || self.needs_target(channel)
+            || matches!(&self.feedforward, Feedforward::Manifold(_, held) if held.contains(&channel))
     }
 
     fn is_outer(&self, channel: usize) -> bool {

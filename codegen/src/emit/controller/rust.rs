@@ -140,9 +140,7 @@ fn filter(out: &mut String, c: &Controller) {
          *state = Some(core::array::from_fn(|i| dot(&self.a[i], &x) + self.b[i] * input));\n        output\n    }\n}\n\n",
         );
     }
-    out.push_str(
-        "fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {\n    a.iter().zip(b).map(|(a, b)| a * b).sum()\n}\n\n",
-    );
+    out.push_str("fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {\n    a.iter().zip(b).map(|(a, b)| a * b).sum()\n}\n\n");
     if (0..c.channels.len()).any(|i| c.filters_rate(i)) {
         filter_constant(out, "RATE", "From an angle to its rate.", &c.filter);
     }
