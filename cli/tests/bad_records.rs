@@ -151,3 +151,32 @@ fn what_is_said_to_odd_records() {
     assert!(output.status.success());
     insta::assert_snapshot!(String::from_utf8_lossy(&output.stdout));
 }
+
+/// Signals that stand still have errors that vanish: the fit goes on with what moves, and says what it cannot tell.
+#[test]
+fn what_is_said_to_a_record_whose_signals_stand_still() {
+    let folder = folder("still");
+    let rig = "rig Two { param m: kg = 1; param c: N*s/m = 0.5; param k: N/m = 2 fixed; param d: 1/s = 0.1; coord x: m; coord q: rad;
+    equation m * x.ddot = F - c * x.dot - k * x; equation q.ddot = -9 [1/s^2] * sin(q) - d * q.dot; input F: N in -5..5; output x: m = x; encoder q: 2400; }";
+    std::fs::write(folder.join("two.rig"), rig).expect("the rig is written");
+    let (mut text, mut x, mut v) = ("t,F,x,q\n".to_owned(), 0.0, 0.0);
+    for k in 0..400 {
+        let force = f64::from(k / 50 % 3);
+        text += &format!("{:.2},{force},{x:.5},0\n", 0.02 * f64::from(k));
+        for _ in 0..20 {
+            v += 0.001 * (force - 0.6 * v - 2.0 * x) / 1.2;
+            x += 0.001 * v;
+        }
+    }
+    std::fs::write(folder.join("still.csv"), text).expect("the record is written");
+    let output = Command::new(env!("CARGO_BIN_EXE_rig"))
+        .current_dir(&folder)
+        .args(["identify", "two.rig", "--data", "still.csv", "--rates", "rest"])
+        .output()
+        .expect("the program starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8_lossy(&output.stdout);
+    let told: Vec<&str> =
+        text.lines().filter(|l| ["without effect", "the records tell", "training"].iter().any(|w| l.contains(w))).collect();
+    insta::assert_snapshot!(told.join("\n"));
+}

@@ -75,6 +75,25 @@ pub struct KalmanEstimator {
     started: bool,
 }
 
+/// What a running filter computes with: x^ = x- + M (y - y* - C x-), then x- = A x^ + B (u - u*) + drift, in deviations from x*.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KalmanMatrices {
+    /// A over a period (n x n).
+    pub a: DMatrix<f64>,
+    /// B over a period (n x m).
+    pub b: DMatrix<f64>,
+    /// What the operating point's drift adds over a period (n).
+    pub drift: DVector<f64>,
+    /// C (p x n).
+    pub c: DMatrix<f64>,
+    /// M (n x p).
+    pub correction: DMatrix<f64>,
+    /// M of the first sample (n x p).
+    pub first: DMatrix<f64>,
+    /// x*, u*, y*.
+    pub point: (DVector<f64>, DVector<f64>, DVector<f64>),
+}
+
 impl KalmanEstimator {
     /// `process`: intensity of white noise on each state's rate [unit^2/s]; `measurement`: standard deviation of each output.
     ///
@@ -106,11 +125,30 @@ impl KalmanEstimator {
         })
     }
 
+    /// Its matrices, for code that is to do the same.
+    #[must_use]
+    pub fn matrices(&self) -> KalmanMatrices {
+        KalmanMatrices {
+            a: self.a.clone(),
+            b: self.b.clone(),
+            drift: self.drift.clone(),
+            c: self.c.clone(),
+            correction: self.correction.clone(),
+            first: self.first(),
+            point: self.point.clone(),
+        }
+    }
+
+    /// The gain of the first sample: the outputs as they are, with all that they do not show at the operating point.
+    fn first(&self) -> DMatrix<f64> {
+        self.c.clone().pseudo_inverse(1e-9).unwrap_or_else(|_| self.correction.clone())
+    }
+
     /// x^ with the outputs of now; the first ones are taken as they are, with all that they do not show at the operating point.
     pub fn read(&mut self, y: &[f64]) -> DVector<f64> {
         let deviation = DVector::from_fn(self.c.nrows(), |i, _| y.get(i).map_or(0.0, |y| y - self.point.2[i]));
         let innovation = deviation - &self.c * &self.predicted;
-        let gain = if self.started { None } else { self.c.clone().pseudo_inverse(1e-9).ok() };
+        let gain = if self.started { None } else { Some(self.first()) };
         self.started = true;
         self.corrected = &self.predicted + gain.as_ref().unwrap_or(&self.correction) * innovation;
         &self.corrected + &self.point.0

@@ -31,7 +31,7 @@ mod weight;
 pub use cascade::Cascade;
 pub use closed_loop::{Bench, BenchError, Controller, Noise, Run, Signal, Status, Surroundings, run};
 pub use discretize::{SampleError, Sampled, SampledCost, sampled_cost, sampled_noise, tustin, zero_order_hold};
-pub use estimator::{Estimation, KalmanEstimator, PlantModel};
+pub use estimator::{Estimation, KalmanEstimator, KalmanMatrices, PlantModel};
 pub use feedforward::Feedforward;
 pub use filter::{DerivativeFilter, Rule, Running, centred_mean, differences, moving_mean};
 pub use gain::{Gain, GainError};

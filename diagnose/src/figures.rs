@@ -1,10 +1,9 @@
 //! How a model follows records: free runs, or predictions where free runs say nothing; and how far a gap shrank.
 
 use crate::answer::{Figure, Figures};
-use crate::quality::averaged;
 use ident::compare::{CompareOptions, compare};
 use ident::innovations::{Noise, Track, wander};
-use ident::record::Record;
+use ident::record::{Record, averaged};
 use runtime::Model;
 use sim::Hold;
 

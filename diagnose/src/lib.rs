@@ -16,6 +16,7 @@ mod chance;
 pub mod effects;
 mod error;
 mod figures;
+pub mod forces;
 mod locate;
 mod model;
 mod options;

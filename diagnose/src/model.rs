@@ -1,7 +1,7 @@
 //! Texts to models: a rig with effects and with a force on every free coordinate, derived and ready to run.
 
-use crate::effects::unit::of_row;
 use crate::effects::{Effect, Signature};
+use crate::forces::forces;
 use crate::patch::{Base, PatchError, Written, check, compose};
 use codegen::Options;
 use ident::fit::ParameterSpec;
@@ -40,15 +40,6 @@ pub struct Prepared {
     pub of_effect: Vec<Vec<usize>>,
 }
 
-/// Names of the forces on coordinates.
-fn pushed(base: &Base) -> Vec<(usize, String, String)> {
-    let rig = &base.rig;
-    (0..rig.coordinates.len())
-        .filter(|&i| !rig.coordinates[i].prescribed)
-        .map(|i| (i, format!("pushed_{}", rig.coordinates[i].name), of_row(rig, i).text()))
-        .collect()
-}
-
 /// Composes, checks and derives. `asked` are the base rig's parameters as the request has them. The first `accepted` effects are free,
 /// with their values to start from; the others are candidates at their null values, of which only those are written that are seen by the
 /// derivatives of their parameters.
@@ -70,7 +61,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
             screened: k >= accepted,
         })
         .collect();
-    let pushed = pushed(base);
+    let pushed = forces(base);
     let files = compose(base, &written, &pushed)?;
     let patched = check(&files, &base.rig.name)?;
     let equations = codegen::derive(&patched.rig, Options::default()).map_err(|e| PatchError::Derive { why: e.to_string() })?;
@@ -82,8 +73,8 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
         }
     }
     let mut entries = Vec::new();
-    for (_, name, _) in &pushed {
-        if let Some(i) = index(&specs, name) {
+    for force in &pushed {
+        if let Some(i) = index(&specs, &force.parameter) {
             specs[i].free = false;
             entries.push(i);
         }
@@ -104,7 +95,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
         }
         of_effect.push(own);
     }
-    let coordinates: Vec<usize> = pushed.into_iter().map(|(i, ..)| i).collect();
+    let coordinates: Vec<usize> = pushed.into_iter().map(|force| force.coordinate).collect();
     let dry = dry(&patched.rig, &coordinates);
     Ok(Prepared { base: patched, model: InProcess::new(equations), specs, entries, coordinates, dry, of_effect })
 }

@@ -4,6 +4,7 @@
 //! is told to write.
 
 use crate::effects::{Edit, Effect};
+use crate::forces::Force;
 use model_dsl::rig::{FrameRef, Rig, Span};
 use model_dsl::{CheckOptions, Checked, Loader, Severity, Sources};
 use std::collections::BTreeMap;
@@ -94,16 +95,16 @@ pub fn check(files: &[(String, String)], rig: &str) -> Result<Base, PatchError> 
     }
 }
 
-/// The texts with `effects` added, and for each of `pushed` (coordinate, parameter) a force by that parameter.
+/// The texts with `effects` added, and with the forces of `pushed`.
 ///
 /// # Errors
 /// [`PatchError::Place`].
-pub fn compose(base: &Base, effects: &[Written<'_>], pushed: &[(usize, String, String)]) -> Result<Vec<(String, String)>, PatchError> {
+pub fn compose(base: &Base, effects: &[Written<'_>], pushed: &[Force]) -> Result<Vec<(String, String)>, PatchError> {
     let mut files = base.sources.files.clone();
     let mut edits: Vec<(Span, String)> = Vec::new();
     let mut more: Vec<String> = Vec::new();
     let rig = &base.rig;
-    for (coordinate, parameter, unit) in pushed {
+    for Force { coordinate, parameter, unit } in pushed {
         more.push(format!("param {parameter}: {unit} = 0;"));
         more.push(format!("torque {parameter}_on on {}: {parameter};", rig.coordinates[*coordinate].name));
     }

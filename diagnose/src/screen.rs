@@ -202,7 +202,7 @@ fn passes(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &Noise, co
     });
     let mut found = Vec::new();
     for (one, track) in each.into_iter().zip(tracks) {
-        found.push(one?.ok_or(FitError::NoStart { file: track.source().to_owned(), status: sim::Status::Completed })?);
+        found.push(one?.ok_or(FitError::NoStart { file: track.source().to_owned(), status: None })?);
     }
     Ok(found)
 }

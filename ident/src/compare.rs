@@ -62,7 +62,8 @@ pub struct Comparison {
     pub prediction: Option<Prediction>,
 }
 
-/// Growth of d x(t)/d x(t_0) beyond which a free run says nothing of the model.
+/// Growth of d x(t)/d x(t_0), states in parts of the ranges that the record moves them through, beyond which a free run says nothing of the
+/// model.
 pub const SENSITIVE: f64 = 1e4;
 
 /// One line of a table: the figures that count for an output.
@@ -194,16 +195,15 @@ fn sensible_horizon(
     let stride = t.len().div_ceil(LOOKS);
     let some: Vec<usize> = (0..t.len()).step_by(stride).collect();
     let times = |samples: &[usize]| samples.iter().map(|&k| t[k]).collect::<Vec<f64>>();
-    let along_record = growth::time_of_growth(
-        model,
-        p,
-        signals,
-        &times(&some),
-        &|k| initial::state_from(model, p, t[some[k]], &series::smoothed(t, outputs, some[k], prediction::WINDOW), &signals.at(t[some[k]])),
-        SENSITIVE,
-    );
+    let measured: Vec<Vec<f64>> = some
+        .iter()
+        .map(|&k| initial::state_from(model, p, t[k], &series::smoothed(t, outputs, k, prediction::WINDOW), &signals.at(t[k])))
+        .collect();
+    let ranges = growth::ranges(model, p, t[0], &measured);
+    let beyond = (ranges.as_slice(), SENSITIVE);
+    let along_record = growth::time_of_growth(model, p, signals, &times(&some), &|k| measured[k].clone(), beyond);
     let reached: Vec<usize> = some.iter().copied().filter(|&k| k < run.t.len()).collect();
-    let along_run = growth::time_of_growth(model, p, signals, &times(&reached), &|k| run.state(reached[k]).to_vec(), SENSITIVE);
+    let along_run = growth::time_of_growth(model, p, signals, &times(&reached), &|k| run.state(reached[k]).to_vec(), beyond);
     let time = [along_record, along_run].into_iter().flatten().min_by(f64::total_cmp)? - t[0];
     let shortest = 2.0 * record.period();
     Some(prediction::round_down(0.25 * time).max(shortest).min(0.5 * record.duration()))

@@ -18,7 +18,7 @@
 mod answer;
 mod build;
 mod bumps;
-mod covariance;
+pub(crate) mod covariance;
 pub(crate) mod data;
 mod equation_error;
 mod error;
@@ -26,7 +26,7 @@ mod filter;
 mod identifiability;
 pub(crate) mod initial;
 pub mod minimize;
-mod objective;
+pub(crate) mod objective;
 mod options;
 mod pattern;
 mod report;
@@ -38,15 +38,19 @@ pub use equation_error::{EquationErrorFit, Preparation, equation_error};
 pub(crate) use equation_error::{coordinates as measured_coordinates, unexplained};
 pub use error::FitError;
 pub(crate) use filter::rates;
+pub(crate) use identifiability::identifiable;
 pub use identifiability::{Identifiable, TradeOff};
 pub use minimize::{Ending, LevenbergMarquardt, Limits, Minimizer};
 pub use options::{FitOptions, InitialStates, Known, Loss, Starting, Weights};
 pub use report::figures;
+pub(crate) use report::{followed_from, judge};
 pub use specification::{ParameterSpec, select};
 pub use whiteness::Whiteness;
+pub(crate) use whiteness::whiteness;
 
 use crate::record::Record;
-use build::{assemble, check};
+use build::assemble;
+pub(crate) use build::{check, typical};
 pub(crate) use data::Data;
 use minimize::{Minimum, Objective};
 use objective::OutputError;
@@ -161,7 +165,7 @@ fn search(
     }
     at.sort_by(|a, b| a.0.total_cmp(&b.0));
     let Some((_, best, _)) = at.first() else {
-        let (record, status) = problem.failure.clone().unwrap_or((0, sim::Status::Completed));
+        let (record, status) = problem.failed();
         let file = problem.pieces.iter().find(|p| p.record == record).map_or_else(String::new, |p| p.data.source.clone());
         return Err(FitError::NoStart { file, status });
     };
@@ -196,6 +200,9 @@ fn search(
         }
     }
     let Some(mut found) = found else { return Err(FitError::NoRecord) };
+    if problem.pieces.iter().any(|p| p.joined) {
+        found = tightened(problem, found, &coarse, options);
+    }
     if noise {
         for _ in 0..ROUNDS {
             let Some(change) = build::reweight(problem, &found.x, options) else { break };
@@ -209,6 +216,28 @@ fn search(
         found = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
     }
     Ok((found, from))
+}
+
+/// Standard deviations of jumps between pieces, in parts of the signals' spread, one after the other.
+const JUMPS: [f64; 7] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+
+/// Multiple shooting: pieces that were free of each other are held together more and more, and are one run in the end. (Held together
+/// tightly from the beginning, a search that starts far away creeps.)
+fn tightened(problem: &mut OutputError<'_>, from: Minimum, limits: &Limits, options: &FitOptions) -> Minimum {
+    let size = build::largest_spread(problem);
+    let mut found = from;
+    for jump in JUMPS {
+        if options.weights == Weights::Noise {
+            build::reweight(problem, &found.x, options);
+        }
+        problem.continuity.fill(1.0 / (jump * size));
+        let again = LevenbergMarquardt.minimize(problem, &found.x, limits);
+        if again.at.is_none() {
+            break;
+        }
+        found = again;
+    }
+    found
 }
 
 /// Runs into which a record is cut for starting values.

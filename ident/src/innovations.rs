@@ -17,11 +17,14 @@
 
 mod estimate;
 mod filter;
+mod identify;
+mod joint;
 mod noise;
 mod smooth;
 mod transition;
 
 pub use estimate::{EstimateOptions, Estimated, Unknown, estimate, likelihood};
 pub use filter::{Column, Gains, Pass, Shape, Track, pass, wander};
+pub use identify::{InnovationsFit, InnovationsOptions, OutputNoise, Positive, RandomForce, identify};
 pub use noise::{Dry, Level, Noise, likeliest};
 pub use smooth::{Smoothed, smooth};

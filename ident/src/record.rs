@@ -3,6 +3,7 @@
 //! [`read`] takes a CSV file or a description file (`.toml`, see `docs/records.md`); MATLAB files need a description, since
 //! they do not say what their columns are. Nothing is resampled: time stamps need not be at a constant rate.
 
+mod blocks;
 mod description;
 mod error;
 mod expression;
@@ -12,6 +13,7 @@ mod matching;
 mod table;
 mod text;
 
+pub use blocks::averaged;
 pub use error::{Cause, RecordError};
 pub use mat::{MatError, MatValue, Variable, read_mat};
 pub use matching::{Bound, MatchError, bind, bind_signals};

@@ -6,6 +6,7 @@ pub mod c_program;
 pub mod calls;
 pub mod close;
 pub mod coverage;
+pub mod driven;
 #[rustfmt::skip]
 pub mod named;
 pub mod odd_rigs;

@@ -50,6 +50,9 @@ pub enum Method {
     OutputError,
     /// The differential equations with the measured motion put in: smoothed derivatives (--cutoff) or the weak form (--bump).
     EquationError,
+    /// What each sample says beyond those before it, seen through a Kalman filter: for rigs that random forces drive, or that a controller
+    /// holds.
+    Innovations,
 }
 
 /// A frequency in hertz, with or without its unit.
@@ -102,7 +105,8 @@ pub struct Identify {
     /// Equation error by smoothed derivatives: order of the Butterworth low pass.
     #[arg(long, value_name = "N", default_value_t = 4)]
     pub order: usize,
-    /// Equation error by smoothed derivatives: keep every N-th equation, after a second low pass.
+    /// Equation error by smoothed derivatives: keep every N-th equation, after a second low pass. Innovations: average N samples into
+    /// one.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub decimate: usize,
     /// Equation error in weak form: samples of a test function.

@@ -1,6 +1,6 @@
 //! `rig identify`: grey-box identification on one or several records, judged on others.
 
-use super::equation_error;
+use super::{equation_error, innovations};
 use crate::args::{Identify, Method};
 use crate::failure::Failure;
 use crate::load;
@@ -17,7 +17,6 @@ use std::path::{Path, PathBuf};
 pub fn run(args: &Identify) -> Result<Answer, Failure> {
     args.report.as_ref().map_or(Ok(()), |path| crate::write::permitted(path, args.force))?;
     let loaded = load::load(&args.rig)?;
-    let model = InProcess::new(load::equations(&loaded, Options::default())?);
     let read = |paths: &[PathBuf]| -> Result<Vec<Record>, Failure> {
         paths.iter().map(|p| record::read(p).map_err(|e| Failure::new("C0501", e.to_string()))).collect()
     };
@@ -27,6 +26,10 @@ pub fn run(args: &Identify) -> Result<Answer, Failure> {
     let names = |list: &[String]| list.iter().map(|s| s.trim().to_owned()).collect::<Vec<_>>();
     let free = (!args.free.is_empty()).then(|| names(&args.free));
     select(&mut specs, free.as_deref(), &names(&args.fix)).map_err(failed)?;
+    if args.method == Method::Innovations {
+        return innovations::run(args, loaded, &specs, (&records, &tests));
+    }
+    let model = InProcess::new(load::equations(&loaded, Options::default())?);
     if args.method == Method::EquationError {
         return equation_error::run(args, &loaded.rig.name, &model, &specs, (&records, &tests));
     }
@@ -43,8 +46,8 @@ pub fn run(args: &Identify) -> Result<Answer, Failure> {
     };
     eprintln!("fitting {} parameters to {} records ..", specs.iter().filter(|s| s.free).count(), records.len());
     let fit = identify(&model, &specs, &records, &tests, &options).map_err(failed)?;
-    let mut answer = Answer { text: words(&loaded.rig.name, &fit), json: document(&loaded.rig.name, &fit) };
-    report(args, &mut answer, || page(args, &loaded.rig.name, &model, &fit, (&records, &tests)))?;
+    let mut answer = Answer { text: words(&loaded.rig.name, &fit, &[]), json: document(&loaded.rig.name, &fit) };
+    report(args, &mut answer, || page(args, &loaded.rig.name, &model, &fit, &[], (&records, &tests)))?;
     Ok(answer)
 }
 
@@ -58,7 +61,15 @@ pub(super) fn report(args: &Identify, answer: &mut Answer, page: impl FnOnce() -
     Ok(())
 }
 
-fn page(args: &Identify, rig: &str, model: &InProcess, fit: &Fit, (records, tests): (&[Record], &[Record])) -> report::Page {
+/// The page of a fit; `more` are further facts.
+pub(super) fn page(
+    args: &Identify,
+    rig: &str,
+    model: &InProcess,
+    fit: &Fit,
+    more: &[(String, String)],
+    (records, tests): (&[Record], &[Record]),
+) -> report::Page {
     let nominal = &model.equations().layout.nominal;
     let hold = args.hold.into();
     let states: Vec<&str> = model.equations().layout.x().map(|v| v.name.as_str()).collect();
@@ -78,7 +89,7 @@ fn page(args: &Identify, rig: &str, model: &InProcess, fit: &Fit, (records, test
     ];
     let found = pages::identify::Identified {
         rig,
-        facts: facts.map(|(n, t)| (n.to_owned(), t)).to_vec(),
+        facts: facts.map(|(n, t)| (n.to_owned(), t)).into_iter().chain(more.iter().cloned()).collect(),
         warnings: warnings(fit),
         parameters: &fit.parameters,
         correlation: Some(&fit.correlation),
@@ -117,7 +128,8 @@ fn warnings(fit: &Fit) -> Vec<String> {
     list
 }
 
-fn words(rig: &str, fit: &Fit) -> String {
+/// The answer as text; `more` are lines below the parameters.
+pub(super) fn words(rig: &str, fit: &Fit, more: &[String]) -> String {
     let mut text = format!(
         "{rig}: {}, {} evaluations in {} s, from the {} start\n",
         fit.ending,
@@ -128,6 +140,7 @@ fn words(rig: &str, fit: &Fit) -> String {
     let _ = writeln!(text, "minimized: {}; {} = cost\n", fit.objective, number(fit.cost));
     estimates(&mut text, &fit.parameters);
     let _ = writeln!(text, "  intervals: {}", fit.intervals);
+    more.iter().for_each(|line| text.push_str(&format!("  {line}\n")));
     for s in fit.initial_states.iter().filter(|s| s.free) {
         let prior = s.prior.map_or_else(String::new, |(mean, sd)| format!("   (first samples: {} +- {})", number(mean), number(sd)));
         let _ = writeln!(text, "  {} at the start of {}: {}{prior}", prime(&s.state), s.record, number(s.value));
@@ -205,7 +218,7 @@ pub(super) fn horizons(lists: [&[RecordFigures]; 2]) -> Map<String, Value> {
     lists.into_iter().flatten().map(|r| (r.record.clone(), json!(r.horizon))).collect()
 }
 
-fn document(rig: &str, fit: &Fit) -> Value {
+pub(super) fn document(rig: &str, fit: &Fit) -> Value {
     let both = |f: &dyn Fn(&SignalFigure) -> Value| json!({"train": each(&fit.train, f), "test": each(&fit.test, f)});
     let told = &fit.identifiable;
     json!({

@@ -15,6 +15,7 @@ mod export;
 mod fit_map;
 mod generate;
 mod identify;
+mod innovations;
 pub mod linearize;
 mod lqr;
 mod new;

@@ -6,7 +6,7 @@ use crate::scenario::controller::{build, filter, trim_manifold};
 use crate::scenario::file;
 use crate::scenario::source::Wrong;
 use codegen::Direction;
-use codegen::emit::controller::{Channel, Column, Controller, Feedforward, Filter, Signal, Source};
+use codegen::emit::controller::{Channel, Column, Controller, Feedforward, Filter, Kalman, Signal, Source};
 use control::{Rule, Sampled};
 use nalgebra::DMatrix;
 use runtime::Model;
@@ -26,26 +26,21 @@ pub fn code(scenario: &Scenario, path: &Path, rig: &Path) -> Result<Controller, 
     let other = scenario.design()?;
     let design = other.as_ref().unwrap_or(&plant);
     let built = build(scenario, &plant, design)?;
-    let Some(rates) = &built.rates else {
-        let wrong = Wrong {
-            message: "a controller with a Kalman filter is not written as code".to_owned(),
-            label: "here",
-            help: Some("estimate rates by `[rates.filter]` or `[rates.observer]`".to_owned()),
-        };
-        return Err(source.wrong(&scenario.file.rates.span(), wrong));
-    };
     let layout = plant.layout();
     let outputs: Vec<&str> = layout.outputs.iter().map(|o| o.name.as_str()).collect();
     // names were checked when the controller was built
     let index = |name: &str| outputs.iter().position(|o| *o == name).unwrap_or(0);
+    let states: Vec<&str> = built.operating.states.iter().map(|(name, _)| name.as_str()).collect();
+    let state = |name: &str| states.iter().position(|s| *s == name);
     let columns: Vec<Column> = built
         .gain
         .states
         .iter()
         .map(|s| match (s.strip_suffix(".integral"), s.strip_suffix(".dot")) {
             (Some(o), _) => Column::Integral(index(o)),
-            (None, Some(o)) => Column::Rate(index(o)),
-            (None, None) => Column::Value(index(s)),
+            (None, Some(o)) if outputs.contains(&o) => Column::Rate(index(o)),
+            (None, None) if outputs.contains(&s.as_str()) => Column::Value(index(s)),
+            _ => Column::State(state(s).unwrap_or(0)),
         })
         .collect();
     let feedforward = feedforward(scenario, design, &built.found.trim.u, layout.inputs)?;
@@ -55,9 +50,13 @@ pub fn code(scenario: &Scenario, path: &Path, rig: &Path) -> Result<Controller, 
     };
     // outputs that something reads, in the rig's order
     let mut used: BTreeSet<usize> = held.iter().copied().collect();
-    used.extend(columns.iter().map(|c| match *c {
-        Column::Value(i) | Column::Rate(i) | Column::Integral(i) => i,
+    used.extend(columns.iter().filter_map(|c| match *c {
+        Column::Value(i) | Column::Rate(i) | Column::Integral(i) => Some(i),
+        Column::State(_) => None,
     }));
+    if built.kalman.is_some() {
+        used.extend(0..outputs.len());
+    }
     for (name, keys) in &scenario.file.cascades {
         if used.contains(&index(name.get_ref())) {
             used.insert(index(keys.outer.get_ref()));
@@ -106,6 +105,7 @@ pub fn code(scenario: &Scenario, path: &Path, rig: &Path) -> Result<Controller, 
             Column::Value(i) => Column::Value(place(i)),
             Column::Rate(i) => Column::Rate(place(i)),
             Column::Integral(i) => Column::Integral(place(i)),
+            Column::State(k) => Column::State(k),
         })
         .collect();
     let feedforward = match feedforward {
@@ -122,7 +122,22 @@ pub fn code(scenario: &Scenario, path: &Path, rig: &Path) -> Result<Controller, 
         source: (name(path), name(rig), hash.get(..8).unwrap_or(hash).to_owned()),
         period: built.period,
         channels,
-        filter: plain(rates),
+        filter: plain(&built.rates),
+        kalman: built.kalman.as_ref().map(|k| {
+            let b = &k.b * mixing.columns(0, layout.inputs);
+            Kalman {
+                states: states.iter().map(|s| (*s).to_owned()).collect(),
+                a: rows(&k.a),
+                constant: (&k.drift - &k.b * &k.point.1).iter().copied().collect(),
+                b: rows(&b),
+                c: rows(&k.c),
+                correction: rows(&k.correction),
+                first: rows(&k.first),
+                x: k.point.0.iter().copied().collect(),
+                y: k.point.2.iter().copied().collect(),
+                shown: outputs.iter().map(|o| (state(o), state(&format!("{o}.dot")))).collect(),
+            }
+        }),
         references,
         columns,
         inputs: built.gain.inputs.clone(),

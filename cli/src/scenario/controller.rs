@@ -7,8 +7,8 @@ use crate::scenario::build::{Machine, Scenario, outputs, unit};
 use crate::scenario::file::{self, Cost, Rates};
 use crate::scenario::source::Wrong;
 use control::{
-    AngleObserver, Cascade, DerivativeFilter, Estimation, Feedforward, Gain, Holding, InnerRate, KalmanEstimator, Lqr, LqrDesign, LqrError,
-    Operating, Plant, PlantModel, Reference, Rule, Sampled, Sampling, Setup, Tracking, Weight, WeightError, Weighted,
+    AngleObserver, Cascade, DerivativeFilter, Estimation, Feedforward, Gain, Holding, InnerRate, KalmanEstimator, KalmanMatrices, Lqr,
+    LqrDesign, LqrError, Operating, Plant, PlantModel, Reference, Rule, Sampled, Sampling, Setup, Tracking, Weight, WeightError, Weighted,
 };
 use nalgebra::{Complex, DMatrix, DVector};
 use runtime::Model;
@@ -28,8 +28,10 @@ pub struct Built<'a> {
     pub operating: Operating,
     /// How the signals move with the gain's inputs (signals x inputs).
     pub directions: DMatrix<f64>,
-    /// From one angle to its rate; `None` for a Kalman filter.
-    pub rates: Option<Sampled>,
+    /// From one angle to its rate; where a Kalman filter knows the rates, that of the others.
+    pub rates: Sampled,
+    /// The Kalman filter.
+    pub kalman: Option<KalmanMatrices>,
     /// Period [s].
     pub period: f64,
 }
@@ -142,10 +144,8 @@ pub fn build<'a>(scenario: &'a Scenario, plant: &'a Machine, design: &'a Machine
     let point_inputs = &inputs.rows * DVector::from_column_slice(u);
     let kalman_model = KalmanModel { linear: &linear.model, plant: &linear_plant, x, u: point_inputs.as_slice() };
     let estimation = estimation(scenario, plant, &kalman_model, &operating, period)?;
-    let rates = match &estimation {
-        Estimation::Kalman(_) => None,
-        other => Some(other.of_one_angle(period).map_err(|e| failed(scenario.file.rates.span(), e.to_string(), None))?),
-    };
+    let rates = estimation.of_one_angle(period).map_err(|e| failed(scenario.file.rates.span(), e.to_string(), None))?;
+    let kalman = if let Estimation::Kalman(filter) = &estimation { Some(filter.matrices()) } else { None };
     let (directions, kept) = (inputs.directions.clone(), operating.clone());
     let setup = Setup {
         gain: gain.clone(),
@@ -175,7 +175,7 @@ pub fn build<'a>(scenario: &'a Scenario, plant: &'a Machine, design: &'a Machine
         };
         failed(span, e.to_string(), help)
     })?;
-    Ok(Built { tracking, gain, designed, found, operating: kept, directions, rates, period })
+    Ok(Built { tracking, gain, designed, found, operating: kept, directions, rates, kalman, period })
 }
 
 /// The trim of the feedforward and the states that it holds; `None` where there is none.

@@ -118,7 +118,10 @@ pub(crate) fn patterns(model: &dyn Model, p: &[Vec<f64>], data: &[Data], options
             Some(pattern) => Ok(pattern),
             None => {
                 let runs = runs(model, p, data, options);
-                pattern::choose(model, p, &runs, data, &pattern::allowed(model, p, data, options.tolerance))
+                // pieces that are held together are one run in the end: their errors add up
+                let pieces = if options.joined { cuts(data, options).len() - 1 } else { 1 };
+                let tolerance = options.tolerance / pieces as f64;
+                pattern::choose(model, p, &runs, data, &pattern::allowed(model, p, data, tolerance))
             }
         })
         .collect()
@@ -228,7 +231,8 @@ pub(crate) fn assemble<'a>(
     if samples < unknowns.len() {
         return Err(FitError::TooFewSamples { samples, unknowns: unknowns.len() });
     }
-    let continuity = continuity(model, data);
+    // pieces are found each for itself first, and held together then
+    let continuity = vec![0.0; d.states()];
     Ok(OutputError { model, base, unknowns, pieces, loss: options.loss, continuity, evaluations: 0, failure: None })
 }
 
@@ -263,6 +267,12 @@ fn cuts(data: &Data, options: &FitOptions) -> Vec<usize> {
     cuts
 }
 
+/// The signal never changes but for rounding.
+fn stands_still(values: &[f64]) -> bool {
+    let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    spread(values) <= 1e-12 * largest
+}
+
 /// 1 / scale of each measured output.
 fn first_weights(model: &dyn Model, data: &Data, options: &FitOptions) -> Result<Vec<f64>, FitError> {
     let names = model.names();
@@ -278,10 +288,8 @@ fn first_weights(model: &dyn Model, data: &Data, options: &FitOptions) -> Result
         .iter()
         .zip(&data.measured)
         .map(|(&i, values)| {
-            let size = spread(values);
-            let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            if size > 1e-12 * largest {
-                return Ok(1.0 / size);
+            if !stands_still(values) {
+                return Ok(1.0 / spread(values));
             }
             // a signal that stands still has errors too, and an encoder knows how large they are
             let quantum = model.output_path(i, &nominal(model)).quantum;
@@ -299,11 +307,9 @@ fn nominal(model: &dyn Model) -> Vec<f64> {
     p
 }
 
-/// 1 / standard deviation of jumps between pieces: 1e-3 of the range that the states are seen to travel.
-fn continuity(model: &dyn Model, data: &[Data]) -> Vec<f64> {
-    let d = model.dimensions();
-    let size = data.iter().flat_map(|d| &d.measured).map(|v| spread(v)).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
-    vec![1.0 / (1e-3 * size); d.states()]
+/// Largest spread of a measured signal, by which jumps between pieces are judged.
+pub(crate) fn largest_spread(problem: &OutputError<'_>) -> f64 {
+    problem.pieces.iter().flat_map(|p| &p.data.measured).map(|v| spread(v)).fold(0.0, f64::max).max(1e-12)
 }
 
 /// Unknowns from parameters for each record, initial states as estimated.
@@ -334,6 +340,7 @@ pub(crate) fn reweight(problem: &mut OutputError<'_>, theta: &[f64], options: &F
         if all.is_empty() {
             continue;
         }
+        let quantum = problem.model.output_path(output, &problem.base).quantum;
         let scale = match options.loss {
             Loss::Squares => (all.iter().map(|e| e * e).sum::<f64>() / all.len() as f64).sqrt(),
             _ => {
@@ -344,9 +351,10 @@ pub(crate) fn reweight(problem: &mut OutputError<'_>, theta: &[f64], options: &F
         };
         for piece in &mut problem.pieces {
             if let Some(i) = piece.data.outputs.iter().position(|&o| o == output) {
-                // errors below rounding of the signal are no noise
-                let floor = 1e-9 * spread(&piece.data.measured[i]).max(f64::MIN_POSITIVE);
-                let weight = 1.0 / scale.max(floor);
+                // errors below rounding of the signal are no noise; one that stands still is known to within its encoder's steps
+                let values = &piece.data.measured[i];
+                let floor = if stands_still(values) { quantum / 12_f64.sqrt() } else { 1e-9 * spread(values) };
+                let weight = 1.0 / scale.max(floor).max(f64::MIN_POSITIVE.sqrt());
                 change = change.max((weight / piece.weights[i] - 1.0).abs());
                 piece.weights[i] = weight;
             }

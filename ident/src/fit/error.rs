@@ -73,8 +73,9 @@ pub enum FitError {
     NoStart {
         /// Record.
         file: String,
-        /// What the run from the nominal values came to.
-        status: Status,
+        /// What the run from the nominal values came to; `None` where it came to its end, but with errors that are no finite
+        /// numbers.
+        status: Option<Status>,
     },
     /// Equation error needs what the records do not hold.
     EquationError {
@@ -118,9 +119,13 @@ impl fmt::Display for FitError {
                 f,
                 "{samples} samples cannot tell {unknowns} unknowns (parameters and initial states); fix some parameters or use a longer record"
             ),
-            Self::NoStart { file, status } => write!(
+            Self::NoStart { file, status: Some(status) } => write!(
                 f,
                 "{file}: the model cannot be run over this record from the starting values: {status}; start nearer, or in pieces with multiple shooting"
+            ),
+            Self::NoStart { file, status: None } => write!(
+                f,
+                "{file}: from the starting values the errors over this record are not finite numbers; look at the sizes of the starting values (`--set`) and of the recorded signals (units)"
             ),
             Self::EquationError { why } => write!(f, "there are no estimates from equation error: {why}"),
         }

@@ -88,6 +88,11 @@ pub(crate) struct Rows {
 }
 
 impl OutputError<'_> {
+    /// Record and status of the last run that failed; no status where none did, so that its errors must have been no numbers.
+    pub fn failed(&self) -> (usize, Option<Status>) {
+        self.failure.clone().map_or((0, None), |(record, status)| (record, Some(status)))
+    }
+
     /// Parameters of record `record`.
     pub fn parameters(&self, theta: &[f64], record: usize) -> Vec<f64> {
         let mut p = self.base.clone();

@@ -31,7 +31,7 @@ pub(crate) fn answer(
 ) -> Result<Fit, FitError> {
     let theta = &found.x;
     let (Some(at), Some(rows)) = (found.at.clone(), problem.rows(theta)) else {
-        let (record, status) = problem.failure.clone().unwrap_or((0, sim::Status::Completed));
+        let (record, status) = problem.failed();
         return Err(FitError::NoStart { file: data[record].source.clone(), status });
     };
     let n = theta.len();
@@ -248,13 +248,34 @@ enum Ahead {
 /// [`FitError::Match`], [`FitError::Simulation`].
 pub fn figures(model: &dyn Model, p: &[f64], records: &[Record], hold: Hold, horizon: Option<f64>) -> Result<Vec<RecordFigures>, FitError> {
     let ahead = horizon.map_or(Ahead::Sensible, Ahead::Seconds);
-    records.iter().map(|record| figure(model, p, record, hold, ahead)).collect()
+    records.iter().map(|record| figure(model, p, record, hold, ahead, &[])).collect()
 }
 
-/// As [`figures`], for one record.
-fn figure(model: &dyn Model, p: &[f64], record: &Record, hold: Hold, ahead: Ahead) -> Result<RecordFigures, FitError> {
+/// A free run over a record from states that are known.
+///
+/// # Errors
+/// As [`figures`].
+pub(crate) fn followed_from(
+    model: &dyn Model,
+    p: &[f64],
+    record: &Record,
+    hold: Hold,
+    initial: &[(usize, f64)],
+) -> Result<RecordFigures, FitError> {
+    figure(model, p, record, hold, Ahead::Free, initial)
+}
+
+/// As [`figures`], for one record and with states that are known at its beginning.
+fn figure(
+    model: &dyn Model,
+    p: &[f64],
+    record: &Record,
+    hold: Hold,
+    ahead: Ahead,
+    initial: &[(usize, f64)],
+) -> Result<RecordFigures, FitError> {
     let horizon = if let Ahead::Seconds(h) = ahead { Some(h) } else { None };
-    let choices = CompareOptions { hold, horizon, ..CompareOptions::default() };
+    let choices = CompareOptions { hold, horizon, initial: initial.to_vec(), ..CompareOptions::default() };
     let c = compare(model, p, record, &choices).map_err(|e| match e {
         CompareError::Match(e) => FitError::Match(e),
         CompareError::Simulation(e) => FitError::Simulation(e),
@@ -292,17 +313,17 @@ pub(crate) fn judge(
     for (r, record) in records.iter().enumerate() {
         let run = fit.train.get(r).filter(|t| ahead == Ahead::Sensible && t.status == Status::Completed && follows(&t.signals));
         if run.is_none() {
-            let after = figure(model, &fit.p_of_record[r], record, hold, ahead)?;
+            let after = figure(model, &fit.p_of_record[r], record, hold, ahead, &[])?;
             if after.horizon.is_some() && r < fit.train.len() {
                 fit.train[r] = after;
             }
         }
         let way = fit.train.get(r).map_or(ahead, same);
-        fit.before.push(figure(model, &nominal, record, hold, way)?);
+        fit.before.push(figure(model, &nominal, record, hold, way, &[])?);
     }
     for record in tests {
-        let after = figure(model, &fit.p, record, hold, ahead)?;
-        fit.before_test.push(figure(model, &nominal, record, hold, same(&after))?);
+        let after = figure(model, &fit.p, record, hold, ahead, &[])?;
+        fit.before_test.push(figure(model, &nominal, record, hold, same(&after), &[])?);
         fit.test.push(after);
     }
     Ok(())

@@ -46,11 +46,13 @@ pub struct EstimateOptions {
     pub finest: f64,
     /// Evaluations of each search.
     pub evaluations: usize,
+    /// Largest noise of an output in parts of its spread, where that is more than 30 steps of its encoder.
+    pub blur: f64,
 }
 
 impl Default for EstimateOptions {
     fn default() -> Self {
-        Self { rounds: 4, finest: 0.1, evaluations: 12 }
+        Self { rounds: 4, finest: 0.1, evaluations: 12, blur: 0.0 }
     }
 }
 
@@ -148,10 +150,8 @@ pub fn estimate(
     noise: Noise,
     options: EstimateOptions,
 ) -> Result<Estimated, FitError> {
-    let nowhere = |tracks: &[Track]| FitError::NoStart {
-        file: tracks.first().map_or_else(String::new, |t| t.source().to_owned()),
-        status: sim::Status::Completed,
-    };
+    let nowhere =
+        |tracks: &[Track]| FitError::NoStart { file: tracks.first().map_or_else(String::new, |t| t.source().to_owned()), status: None };
     let mut unknowns = Vec::new();
     for (i, s) in specs.iter().enumerate().filter(|(_, s)| s.free) {
         if s.per_record {
@@ -169,7 +169,7 @@ pub fn estimate(
     let mut value = f64::NEG_INFINITY;
     for round in 0..options.rounds.max(1) {
         let finest = if round == 0 { 0.7 } else { options.finest };
-        noise = likeliest(model, &p, tracks, &noise, finest).ok_or_else(|| nowhere(tracks))?;
+        noise = likeliest(model, &p, tracks, &noise, finest, options.blur).ok_or_else(|| nowhere(tracks))?;
         let mut problem =
             Problem { model, tracks, specs, noise: noise.clone(), gains: Vec::new(), base: p.clone(), unknowns: unknowns.clone() };
         let passes = problem.passes(&p, &[], false).ok_or_else(|| nowhere(tracks))?;

@@ -106,16 +106,16 @@ pub(crate) fn floors(model: &dyn Model, p: &[f64], tracks: &[Track]) -> Vec<f64>
     (0..model.dimensions().outputs)
         .map(|i| {
             let quantum = model.output_path(i, p).quantum;
-            let seen = tracks.iter().flat_map(Track::measured).filter(|(o, _)| *o == i).map(|(_, v)| spread_of(v)).fold(0.0, f64::max);
-            (quantum / 12_f64.sqrt()).max(1e-5 * seen).max(1e-12)
+            (quantum / 12_f64.sqrt()).max(1e-5 * spread_over(tracks, i)).max(1e-12)
         })
         .collect()
 }
 
 /// The noise of maximum likelihood, searched from `from` along its logarithms one after the other with steps that halve
-/// (R. Hooke and T. A. Jeeves, "Direct search", 1961). `None` where the model cannot be followed.
+/// (R. Hooke and T. A. Jeeves, "Direct search", 1961). An output's noise may be as large as 30 steps of its encoder, or as `blur`
+/// times its spread if that is more. `None` where the model cannot be followed.
 #[must_use]
-pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noise, finest: f64) -> Option<Noise> {
+pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noise, finest: f64, blur: f64) -> Option<Noise> {
     let (mut parts, mut values) = (Vec::new(), Vec::new());
     for (track, p) in tracks.iter().zip(p) {
         // the noise of a rig does not need all samples to be known
@@ -130,16 +130,12 @@ pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noi
             values.push(p.clone());
         }
     }
-    let period =
-        tracks.iter().map(|t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64).fold(f64::INFINITY, f64::min);
-    let shortest = tracks.iter().map(|t| t.times()[t.times().len() - 1] - t.times()[0]).fold(f64::INFINITY, f64::min);
-    let floor = floors(model, p.first()?, tracks);
-    let nd = from.sd.len();
-    let seen: Vec<usize> = (0..floor.len()).filter(|&i| tracks.iter().any(|t| t.measured().any(|(o, _)| o == i))).collect();
+    let (nd, range) = (from.sd.len(), Range::of(model, p.first()?, tracks, blur));
+    let seen = seen(model, tracks);
     let bounds = |k: usize| match k {
         k if k < nd => (1e-9, f64::INFINITY),
-        k if k < 2 * nd => (period, (0.04 * shortest).clamp(2.0 * period, 2.0)),
-        k => (OUTPUT.0 * floor[k - 2 * nd], OUTPUT.1 * floor[k - 2 * nd]),
+        k if k < 2 * nd => range.time,
+        k => range.output[k - 2 * nd],
     };
     let likelihood = |noise: &Noise| -> f64 {
         let each = in_parallel(&parts, |i, part| {
@@ -184,6 +180,40 @@ pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noi
         }
     }
     value.is_finite().then_some(best)
+}
+
+/// Between what the sizes of noises are looked for.
+#[derive(Clone, Debug)]
+pub(crate) struct Range {
+    /// Correlation times of the forces [s].
+    pub time: (f64, f64),
+    /// Noise of each output (SI).
+    pub output: Vec<(f64, f64)>,
+}
+
+impl Range {
+    /// For these records.
+    pub fn of(model: &dyn Model, p: &[f64], tracks: &[Track], blur: f64) -> Self {
+        let duration = |t: &Track| t.times()[t.times().len() - 1] - t.times()[0];
+        let period = tracks.iter().map(|t| duration(t) / (t.times().len() - 1) as f64).fold(f64::INFINITY, f64::min);
+        let shortest = tracks.iter().map(duration).fold(f64::INFINITY, f64::min);
+        let output = floors(model, p, tracks)
+            .into_iter()
+            .enumerate()
+            .map(|(i, floor)| (OUTPUT.0 * floor, (OUTPUT.1 * floor).max(blur * spread_over(tracks, i))))
+            .collect();
+        Self { time: (period, (0.04 * shortest).clamp(2.0 * period, f64::max(2.0 * period, 2.0))), output }
+    }
+}
+
+/// Outputs that a record has.
+pub(crate) fn seen(model: &dyn Model, tracks: &[Track]) -> Vec<usize> {
+    (0..model.dimensions().outputs).filter(|&i| tracks.iter().any(|t| t.measured().any(|(o, _)| o == i))).collect()
+}
+
+/// Largest spread of an output over the records.
+fn spread_over(tracks: &[Track], output: usize) -> f64 {
+    tracks.iter().flat_map(Track::measured).filter(|(o, _)| *o == output).map(|(_, v)| spread_of(v)).fold(0.0, f64::max)
 }
 
 /// Samples from which the noise is found.

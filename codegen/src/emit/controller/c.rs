@@ -1,5 +1,6 @@
 //! A controller as C99.
 
+use super::kalman;
 use super::rust::product;
 use super::{Column, Controller, Feedforward, Filter, Identifiers, Source, list, unit};
 use crate::emit::about::wrapped;
@@ -36,6 +37,9 @@ pub fn controller_c(c: &Controller) -> ControllerC {
     let header = format!("{about}{}", header(c, &names, &prefix));
     let mut source = format!("{about}#include \"{prefix}.h\"\n\n#include <math.h>\n\n");
     constants(&mut source, c);
+    if let Some(k) = &c.kalman {
+        kalman::constants_c(&mut source, c, k);
+    }
     feedforward(&mut source, c);
     filters(&mut source, c);
     step(&mut source, c, &names, &prefix);
@@ -70,7 +74,7 @@ fn header(c: &Controller, names: &Identifiers, prefix: &str) -> String {
     let _ = writeln!(out, "}};\n\n/* What the controller remembers. */\nstruct {prefix}_memory {{");
     let order = c.filter.b.len();
     for (i, name) in names.channels.iter().enumerate() {
-        if c.needs_rate(i) {
+        if c.filters_rate(i) {
             let _ = writeln!(out, "    double rate_{name}[{order}];");
         }
         if c.channels[i].wrapped {
@@ -84,6 +88,9 @@ fn header(c: &Controller, names: &Identifiers, prefix: &str) -> String {
     if integrals > 0 {
         let _ = writeln!(out, "    double integrals[{integrals}];");
     }
+    if let Some(k) = &c.kalman {
+        let _ = writeln!(out, "    double predicted[{}];", k.states.len());
+    }
     out.push_str("    int started;\n};\n\n");
     let reference = if given.is_empty() { String::new() } else { format!("\n    const struct {prefix}_references *reference,") };
     let _ = writeln!(out, "/* Forgets everything. */\nvoid {prefix}_start(struct {prefix}_memory *memory);\n");
@@ -94,7 +101,7 @@ fn header(c: &Controller, names: &Identifiers, prefix: &str) -> String {
     out
 }
 
-fn matrix(out: &mut String, doc: &str, name: &str, rows: &[Vec<f64>], comments: &[String]) {
+pub(super) fn matrix(out: &mut String, doc: &str, name: &str, rows: &[Vec<f64>], comments: &[String]) {
     let columns = rows.first().map_or(0, Vec::len);
     let _ = writeln!(out, "/* {doc} */\nstatic const double {name}[{}][{columns}] = {{", rows.len());
     for (row, comment) in rows.iter().zip(comments) {
@@ -165,25 +172,32 @@ fn filter_constant(out: &mut String, name: &str, doc: &str, f: &Filter) {
 }
 
 fn filters(out: &mut String, c: &Controller) {
-    filter_constant(out, "RATE", "From an angle to its rate", &c.filter);
-    let mut longest = c.filter.b.len();
+    let mut longest = 0;
+    if (0..c.channels.len()).any(|i| c.filters_rate(i)) {
+        filter_constant(out, "RATE", "From an angle to its rate", &c.filter);
+        longest = c.filter.b.len();
+    }
     for (i, source) in &c.references {
         if let Source::Inner { rate: Some(f), .. } = source {
             filter_constant(out, &format!("RATE_OF_REFERENCE_{i}"), "From a reference to its rate", f);
             longest = longest.max(f.b.len());
         }
     }
-    let _ = writeln!(
-        out,
-        "static double dot(const double *a, const double *b, int n)\n{{\n    double sum = 0.0;\n    for (int i = 0; i < n; i++) {{\n        sum += a[i] * b[i];\n    }}\n    return sum;\n}}\n\n\
-         /* Output C x + D u, then x <- A x + B u. */\n\
-         static double filtered(const double *a, const double *b, const double *c, double d, int n, double *x, double u)\n{{\n    \
-         const double output = dot(c, x, n) + d * u;\n    double next[{longest}];\n    \
-         for (int i = 0; i < n; i++) {{\n        next[i] = dot(a + i * n, x, n) + b[i] * u;\n    }}\n    \
-         for (int i = 0; i < n; i++) {{\n        x[i] = next[i];\n    }}\n    return output;\n}}\n\n\
-         /* A filter starts in the steady state of its first input. */\n\
-         static void settle(const double *start, int n, double *x, double u)\n{{\n    for (int i = 0; i < n; i++) {{\n        x[i] = start[i] * u;\n    }}\n}}\n"
+    out.push_str(
+        "static double dot(const double *a, const double *b, int n)\n{\n    double sum = 0.0;\n    for (int i = 0; i < n; i++) {\n        sum += a[i] * b[i];\n    }\n    return sum;\n}\n\n",
     );
+    if c.has_filters() {
+        let _ = writeln!(
+            out,
+            "/* Output C x + D u, then x <- A x + B u. */\n\
+             static double filtered(const double *a, const double *b, const double *c, double d, int n, double *x, double u)\n{{\n    \
+             const double output = dot(c, x, n) + d * u;\n    double next[{longest}];\n    \
+             for (int i = 0; i < n; i++) {{\n        next[i] = dot(a + i * n, x, n) + b[i] * u;\n    }}\n    \
+             for (int i = 0; i < n; i++) {{\n        x[i] = next[i];\n    }}\n    return output;\n}}\n\n\
+             /* A filter starts in the steady state of its first input. */\n\
+             static void settle(const double *start, int n, double *x, double u)\n{{\n    for (int i = 0; i < n; i++) {{\n        x[i] = start[i] * u;\n    }}\n}}\n"
+        );
+    }
     if c.channels.iter().any(|channel| channel.wrapped) {
         out.push_str(
             "/* The angle nearest to the last one that an encoder shows as `angle`, modulo one turn. */\n\
@@ -204,27 +218,40 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers, prefix: &str) {
     let reference = if given.is_empty() { String::new() } else { format!("\n    const struct {prefix}_references *reference,") };
     let _ = writeln!(
         out,
-        "void {prefix}_step(\n    struct {prefix}_memory *memory,\n    const struct {prefix}_readings *reading,{reference}\n    struct {prefix}_inputs *inputs)\n{{\n    /* values and rates */"
+        "void {prefix}_step(\n    struct {prefix}_memory *memory,\n    const struct {prefix}_readings *reading,{reference}\n    struct {prefix}_inputs *inputs)\n{{"
     );
+    let mut reads = Vec::new();
     for (i, name) in names.channels.iter().enumerate() {
-        let channel = &c.channels[i];
-        let read = if channel.wrapped {
+        if c.channels[i].wrapped {
             let _ = writeln!(
                 out,
                 "    const double turned_{name} = memory->started ? unwrapped(memory->last_{name}, reading->{name}) : reading->{name};\n    memory->last_{name} = turned_{name};"
             );
-            format!("turned_{name}")
+            reads.push(format!("turned_{name}"));
         } else {
-            format!("reading->{name}")
-        };
-        let zero = if channel.zero == 0.0 { String::new() } else { format!(" - {}", number(channel.zero)).replace("- -", "+ ") };
-        let _ = writeln!(out, "    const double {name} = {read}{zero};");
-        if c.needs_rate(i) {
-            let _ = writeln!(
+            reads.push(format!("reading->{name}"));
+        }
+    }
+    if let Some(k) = &c.kalman {
+        kalman::correct_c(out, k, &reads);
+    }
+    out.push_str("    /* values and rates */\n");
+    for (i, (name, read)) in names.channels.iter().zip(&reads).enumerate().filter(|(i, _)| c.is_used(*i)) {
+        let zero = c.channels[i].zero;
+        let zero = if zero == 0.0 { String::new() } else { format!(" - {}", number(zero)).replace("- -", "+ ") };
+        let (value, rate) = c.estimated(i);
+        let value = value.map_or_else(|| format!("{read}{zero}"), |k| format!("estimated[{k}]"));
+        let _ = writeln!(out, "    const double {name} = {value};");
+        if !c.needs_rate(i) {
+            continue;
+        }
+        let _ = match rate {
+            Some(k) => writeln!(out, "    const double {name}_rate = estimated[{k}];"),
+            None => writeln!(
                 out,
                 "    if (!memory->started) {{\n        settle(RATE_START, {order}, memory->rate_{name}, {read});\n    }}\n    const double {name}_rate = filtered(RATE_A, RATE_B, RATE_C, RATE_D, {order}, memory->rate_{name}, {read});"
-            );
-        }
+            ),
+        };
     }
     out.push_str("    /* where to */\n");
     for i in c.ordered().into_iter().filter(|&i| c.needs_target(i)) {
@@ -289,6 +316,7 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers, prefix: &str) {
                 integral += 1;
                 format!("memory->integrals[{}]", integral - 1)
             }
+            Column::State(k) => c.kalman.as_ref().map_or_else(String::new, |filter| kalman::deviation(filter, k)),
         };
         let _ = writeln!(out, "        {entry},");
     }
@@ -310,6 +338,9 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers, prefix: &str) {
             let name = &names.channels[i];
             let _ = writeln!(out, "    memory->integrals[{k}] += PERIOD * ({name} - to_{name} + dot(ANTI_WINDUP[{k}], cut, {m}));");
         }
+    }
+    if let Some(filter) = &c.kalman {
+        kalman::predict_c(out, filter, m);
     }
     for (i, name) in names.signals.iter().enumerate() {
         let _ = writeln!(out, "    inputs->{name} = u[{i}];");

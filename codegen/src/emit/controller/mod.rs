@@ -4,6 +4,7 @@
 //! feedforward, feedback, limits, integrals.
 
 mod c;
+mod kalman;
 mod rust;
 mod schedule;
 
@@ -11,6 +12,7 @@ use crate::emit::names::{Language, Names};
 use crate::manifold::Manifold;
 
 pub use c::{ControllerC, controller_c};
+pub use kalman::Kalman;
 pub use rust::controller_rust;
 pub use schedule::{Schedule, schedule_c, schedule_rust};
 
@@ -27,8 +29,10 @@ pub struct Controller {
     pub period: f64,
     /// Outputs that it reads.
     pub channels: Vec<Channel>,
-    /// From an output to its rate.
+    /// From an output to its rate, where no Kalman filter knows it.
     pub filter: Filter,
+    /// Filter that knows the states.
+    pub kalman: Option<Kalman>,
     /// References of channels; a channel without one is held at its `operating` value.
     pub references: Vec<(usize, Source)>,
     /// Columns of K.
@@ -108,6 +112,8 @@ pub enum Column {
     Rate(usize),
     /// Integrated.
     Integral(usize),
+    /// A state that only the Kalman filter knows.
+    State(usize),
 }
 
 /// An input of the rig.
@@ -138,10 +144,12 @@ struct Identifiers {
 
 impl Controller {
     fn identifiers(&self, language: Language) -> Identifiers {
-        let mut names = Names::new(
-            language,
-            &["self", "reading", "reference", "deviation", "feedback", "u", "asked", "hold", "cut", "memory", "inputs", "dot", "i"],
-        );
+        let mut taken =
+            vec!["self", "reading", "reference", "deviation", "feedback", "u", "asked", "hold", "cut", "memory", "inputs", "dot", "i"];
+        if self.kalman.is_some() {
+            taken.extend(kalman::LOCALS);
+        }
+        let mut names = Names::new(language, &taken);
         let channels = self.channels.iter().map(|c| names.take(&c.name)).collect();
         let mut names = Names::new::<&str>(language, &[]);
         Identifiers { channels, signals: self.signals.iter().map(|s| names.take(&s.name)).collect() }
@@ -175,6 +183,29 @@ impl Controller {
         self.columns.iter().any(column) || self.is_outer(channel) || (held && self.reference(channel).is_some())
     }
 
+    /// The states that the Kalman filter has for a channel's value and rate.
+    fn estimated(&self, channel: usize) -> (Option<usize>, Option<usize>) {
+        self.kalman.as_ref().and_then(|k| k.shown.get(channel).copied()).unwrap_or_default()
+    }
+
+    /// The rate of this channel is filtered from its readings.
+    fn filters_rate(&self, channel: usize) -> bool {
+        self.needs_rate(channel) && self.estimated(channel).1.is_none()
+    }
+
+    /// Some rate is filtered.
+    fn has_filters(&self) -> bool {
+        (0..self.channels.len()).any(|i| self.filters_rate(i))
+            || self.references.iter().any(|(_, s)| matches!(s, Source::Inner { rate: Some(_), .. }))
+    }
+
+    /// Something asks where this channel is: all but those that only the Kalman filter reads.
+    fn is_used(&self, channel: usize) -> bool {
+        self.kalman.is_none()
+            || self.needs_target(channel)
+            || matches!(&self.feedforward, Feedforward::Manifold(_, held) if held.contains(&channel))
+    }
+
     fn is_outer(&self, channel: usize) -> bool {
         self.references.iter().any(|(_, s)| matches!(s, Source::Inner { outer, .. } if *outer == channel))
     }
@@ -193,6 +224,7 @@ impl Controller {
                 Column::Value(i) => self.channels[i].name.clone(),
                 Column::Rate(i) => format!("{}'", self.channels[i].name),
                 Column::Integral(i) => format!("integral of {}", self.channels[i].name),
+                Column::State(k) => self.kalman.as_ref().map_or_else(String::new, |filter| filter.states[k].clone()),
             })
             .collect();
         let feedforward = match &self.feedforward {
@@ -205,7 +237,7 @@ impl Controller {
                 format!("u* holds {} where they are to be: the trim manifold in closed form.", names.join(", "))
             }
         };
-        vec![
+        let mut lines = vec![
             format!("{}.", self.title.trim_end_matches('.')),
             format!("Generated from `{file}` and `{rig}` (model {hash}); edit these, not this file."),
             String::new(),
@@ -216,8 +248,10 @@ impl Controller {
                 self.inputs.join(", ")
             ),
             feedforward,
-            "Units are SI and radians. No heap, no input or output.".to_owned(),
-        ]
+        ];
+        lines.extend(self.kalman.as_ref().map(kalman::about));
+        lines.push("Units are SI and radians. No heap, no input or output.".to_owned());
+        lines
     }
 }
 

@@ -1,5 +1,6 @@
 //! A controller as a `no_std` Rust module.
 
+use super::kalman;
 use super::{Column, Controller, Feedforward, Filter, Identifiers, Source, list, unit};
 use crate::emit::about::wrapped;
 use crate::emit::form::number;
@@ -18,6 +19,9 @@ pub fn controller_rust(c: &Controller) -> String {
     out.push_str("#![allow(non_snake_case, clippy::approx_constant, clippy::excessive_precision, clippy::let_and_return)]\n\n");
     let feedforward = feedforward(c, &mut out);
     constants(&mut out, c);
+    if let Some(k) = &c.kalman {
+        kalman::constants_rust(&mut out, c, k);
+    }
     structs(&mut out, c, &names);
     out.push_str(&feedforward);
     filter(&mut out, c);
@@ -49,7 +53,7 @@ fn feedforward(c: &Controller, out: &mut String) -> String {
     }
 }
 
-fn matrix(out: &mut String, doc: &str, name: &str, rows: &[Vec<f64>], comments: &[String], public: bool) {
+pub(super) fn matrix(out: &mut String, doc: &str, name: &str, rows: &[Vec<f64>], comments: &[String], public: bool) {
     let columns = rows.first().map_or(0, Vec::len);
     let _ = writeln!(out, "/// {doc}\n{}const {name}: [[f64; {columns}]; {}] = [", if public { "pub " } else { "" }, rows.len());
     for (row, comment) in rows.iter().zip(comments) {
@@ -126,16 +130,20 @@ fn filter_constant(out: &mut String, name: &str, doc: &str, f: &Filter) {
 }
 
 fn filter(out: &mut String, c: &Controller) {
-    out.push_str(
-        "/// A sampled filter: output C x + D u, then x <- A x + B u. It starts in the steady state of its first input.\n\
+    if c.has_filters() {
+        out.push_str(
+            "/// A sampled filter: output C x + D u, then x <- A x + B u. It starts in the steady state of its first input.\n\
          struct Filter<const N: usize> {\n    a: [[f64; N]; N],\n    b: [f64; N],\n    c: [f64; N],\n    d: f64,\n    start: [f64; N],\n}\n\n\
          impl<const N: usize> Filter<N> {\n    fn next(&self, state: &mut Option<[f64; N]>, input: f64) -> f64 {\n        \
          let x = state.unwrap_or(self.start.map(|s| s * input));\n        \
          let output = dot(&self.c, &x) + self.d * input;\n        \
-         *state = Some(core::array::from_fn(|i| dot(&self.a[i], &x) + self.b[i] * input));\n        output\n    }\n}\n\n\
-         fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {\n    a.iter().zip(b).map(|(a, b)| a * b).sum()\n}\n\n",
-    );
-    filter_constant(out, "RATE", "From an angle to its rate.", &c.filter);
+         *state = Some(core::array::from_fn(|i| dot(&self.a[i], &x) + self.b[i] * input));\n        output\n    }\n}\n\n",
+        );
+    }
+    out.push_str("fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {\n    a.iter().zip(b).map(|(a, b)| a * b).sum()\n}\n\n");
+    if (0..c.channels.len()).any(|i| c.filters_rate(i)) {
+        filter_constant(out, "RATE", "From an angle to its rate.", &c.filter);
+    }
     for (i, source) in &c.references {
         if let Source::Inner { rate: Some(f), .. } = source {
             let name = &c.channels[*i].name;
@@ -158,7 +166,7 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers) {
     let (integrals, given, m) = (c.integrals(), c.given(), c.signals.len());
     out.push_str("/// The controller, with what it remembers.\n#[derive(Clone, Debug, Default)]\npub struct Controller {\n");
     for (i, name) in names.channels.iter().enumerate() {
-        if c.needs_rate(i) {
+        if c.filters_rate(i) {
             let _ = writeln!(out, "    rate_{name}: Option<[f64; {order}]>,");
         }
         if c.channels[i].wrapped {
@@ -171,6 +179,9 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers) {
     if !integrals.is_empty() {
         let _ = writeln!(out, "    integrals: [f64; {}],", integrals.len());
     }
+    if let Some(k) = &c.kalman {
+        let _ = writeln!(out, "    predicted: Option<[f64; {}]>,", k.states.len());
+    }
     out.push_str("}\n\nimpl Controller {\n");
     let arguments = if given.is_empty() { "" } else { ", reference: &References" };
     let signals: Vec<String> = c.signals.iter().map(|s| format!("{} [{}]", s.name, unit(&s.unit))).collect();
@@ -179,21 +190,33 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers) {
         "    /// One sample: the inputs {} to hold for a period.\n    #[must_use]\n    pub fn step(&mut self, reading: &Readings{arguments}) -> [f64; {m}] {{",
         signals.join(", ")
     );
-    out.push_str("        // values and rates\n");
+    let mut reads = Vec::new();
     for (i, name) in names.channels.iter().enumerate() {
-        let channel = &c.channels[i];
-        let read = if channel.wrapped {
+        if c.channels[i].wrapped {
             let _ = writeln!(
                 out,
                 "        let {name} = unwrapped(self.last_{name}, reading.{name});\n        self.last_{name} = Some({name});"
             );
-            name.clone()
+            reads.push(name.clone());
         } else {
-            format!("reading.{name}")
+            reads.push(format!("reading.{name}"));
+        }
+    }
+    if let Some(k) = &c.kalman {
+        kalman::correct_rust(out, k, &reads);
+    }
+    out.push_str("        // values and rates\n");
+    for (i, (name, read)) in names.channels.iter().zip(&reads).enumerate().filter(|(i, _)| c.is_used(*i)) {
+        let zero = c.channels[i].zero;
+        let zero = if zero == 0.0 { String::new() } else { format!(" - {}", number(zero)).replace("- -", "+ ") };
+        let (value, rate) = c.estimated(i);
+        let value = value.map_or_else(|| format!("{read}{zero}"), |k| format!("estimated[{k}]"));
+        let rate = match rate {
+            Some(k) => format!("estimated[{k}]"),
+            None if c.needs_rate(i) => format!("RATE.next(&mut self.rate_{name}, {read})"),
+            None => "0.0".to_owned(),
         };
-        let zero = if channel.zero == 0.0 { String::new() } else { format!(" - {}", number(channel.zero)).replace("- -", "+ ") };
-        let rate = if c.needs_rate(i) { format!("RATE.next(&mut self.rate_{name}, {read})") } else { "0.0".to_owned() };
-        let _ = writeln!(out, "        let {name} = ({read}{zero}, {rate});");
+        let _ = writeln!(out, "        let {name} = ({value}, {rate});");
     }
     out.push_str("        // where to\n");
     for i in c.ordered().into_iter().filter(|&i| c.needs_target(i)) {
@@ -242,6 +265,7 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers) {
                 integral += 1;
                 format!("self.integrals[{}]", integral - 1)
             }
+            Column::State(k) => c.kalman.as_ref().map_or_else(String::new, |filter| kalman::deviation(filter, k)),
         };
         let _ = writeln!(out, "            {entry},");
     }
@@ -256,6 +280,9 @@ fn step(out: &mut String, c: &Controller, names: &Identifiers) {
             let name = &names.channels[i];
             let _ = writeln!(out, "        self.integrals[{k}] += PERIOD * ({name}.0 - to_{name}.0 + dot(&ANTI_WINDUP[{k}], &cut));");
         }
+    }
+    if c.kalman.is_some() {
+        out.push_str(kalman::PREDICT_RUST);
     }
     out.push_str("        u\n    }\n}\n");
 }

@@ -1,0 +1,38 @@
+//! A force on every free coordinate, by a parameter that is zero: how random forces enter a rig.
+
+use crate::effects::unit::of_row;
+use crate::patch::{Base, PatchError, check, compose};
+
+/// A coordinate that is pushed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Force {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    /// Name of the parameter by which the force enters.
+    pub parameter: String,
+    /// Its unit.
+    pub unit: String,
+}
+
+/// One force for each coordinate whose motion is not prescribed.
+#[must_use]
+pub fn forces(base: &Base) -> Vec<Force> {
+    let rig = &base.rig;
+    let free = (0..rig.coordinates.len()).filter(|&i| !rig.coordinates[i].prescribed);
+    free.map(|i| Force { coordinate: i, parameter: format!("pushed_{}", rig.coordinates[i].name), unit: of_row(rig, i).text() }).collect()
+}
+
+/// The rig with these forces; values of its parameters as in `base.rig`, whatever its text says.
+///
+/// # Errors
+/// [`PatchError`].
+pub fn with_forces(base: &Base) -> Result<(Base, Vec<Force>), PatchError> {
+    let forces = forces(base);
+    let mut pushed = check(&compose(base, &[], &forces)?, &base.rig.name)?;
+    for parameter in &mut pushed.rig.parameters {
+        if let Some(own) = base.rig.parameters.iter().find(|p| p.name == parameter.name) {
+            parameter.value = own.value;
+        }
+    }
+    Ok((pushed, forces))
+}
