@@ -44,8 +44,8 @@ pub struct Judged {
 const DIFFER: f64 = 0.01;
 /// Smallest share of the gap that an effect must close.
 const CLOSES: f64 = 0.10;
-/// Squared errors that differ by less are equal.
-const EQUAL: f64 = 1.01;
+/// Squared errors that differ by less are equal; where the gap is no larger than random forces make it, equal runs differ by chance.
+const EQUAL: (f64, f64) = (1.01, 1.05);
 /// Samples over which gains are allowed to hang together.
 const LAGS: usize = 100;
 
@@ -99,8 +99,7 @@ pub fn judge(
     if best < CLOSES && !shrunk.is_empty() {
         return refuse(format!("it closes only {:.0} % of the gap on other records", 100.0 * best), gain);
     }
-    // where random forces rule, equal runs differ by chance
-    if worse > better * EQUAL {
+    if worse > better * if shrunk.is_empty() { EQUAL.1 } else { EQUAL.0 } {
         return refuse("it makes the run on other records worse".to_owned(), gain);
     }
     Ok(Judged { refused: None, gain, figures: after })

@@ -205,7 +205,9 @@ impl State {
                 (t.prepared, t.fitted) = (prepared, fitted);
             }
             self.separate(base, asked, left, scores, t, tracks, held)?;
+            t.value = t.fitted.found.log_likelihood - left[t.index].parameters.len() as f64;
         }
+        kept.sort_by(|a, b| b.value.total_cmp(&a.value));
         Ok(kept)
     }
 
@@ -278,11 +280,11 @@ fn untold(score: &Score) -> Vec<bool> {
     score.minimal_detectable.iter().map(|m| !m.is_finite()).collect()
 }
 
-/// Starting values: a delay or lag near zero never leaves it, and must leave room for its step.
+/// Starting values: a delay or lag of zero never leaves it.
 fn begin(effect: &Effect, step: &[f64], tracks: &[Track]) -> Vec<f64> {
     let period = tracks.first().map_or(0.01, |t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64);
     match effect.signature {
-        Signature::InputDelay(_) | Signature::OutputDelay(_) => step.iter().map(|s| s.max(0.5 * period)).collect(),
+        Signature::InputDelay(_) | Signature::OutputDelay(_) => step.iter().map(|s| s.max(0.02 * period)).collect(),
         _ => effect.parameters.iter().zip(step).map(|(p, s)| if p.positive { s.max(0.0) } else { *s }).collect(),
     }
 }

@@ -24,6 +24,9 @@ use runtime::Model;
 use sim::Hold;
 use std::time::Instant;
 
+/// Log-likelihood by which a refused effect must be ahead of another for that one to be its shadow.
+const FAR: f64 = 9.2;
+
 /// Finds what a rig's text lacks. `asked` are its parameters as the request has them.
 ///
 /// # Errors
@@ -140,7 +143,15 @@ pub fn diagnose(
         }
         let chosen = current.try_best(base, asked, &left, &round, &mut tracks, &held, options)?;
         let mut accepted = None;
+        // what is refused although it explains the records far better than another leaves that one no reason
+        let mut refused = f64::NEG_INFINITY;
         for tried in chosen {
+            if tried.value < refused - FAR {
+                let why = "an effect that is refused explains the training records better".to_owned();
+                tell(&format!("  {}: {why}", left[tried.index].title()));
+                rejected.push((left[tried.index].title(), why));
+                continue;
+            }
             let verdict = judge(&current.fitted, &current.prepared, &tried, test, &held, &answer.after, seen, options)?;
             match verdict.refused {
                 None => {
@@ -148,6 +159,7 @@ pub fn diagnose(
                     break;
                 }
                 Some(why) => {
+                    refused = refused.max(tried.value);
                     tell(&format!("  {}: {why}", left[tried.index].title()));
                     // five families in a hundred speak where nothing is missing
                     contradicted |= round.scores[tried.index].p_family < 0.2 * options.family;

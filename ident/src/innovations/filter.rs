@@ -1,7 +1,7 @@
 //! One pass of the filter over one record: whitened innovations and their derivatives.
 
 use super::noise::Noise;
-use super::transition::{Carried, Stepper};
+use super::transition::{Carried, Stepper, by_parameter};
 use crate::fit::FitError;
 use crate::fit::data::Data;
 use crate::fit::initial::{estimate, usual};
@@ -277,7 +277,18 @@ pub(crate) fn run(
     let (mut gain, mut row) = (vec![0.0; order], vec![0.0; m]);
     let (mut predicted, mut covariance) = (vec![0.0; order], Vec::new());
     let mut segment = 0;
-    let late: bool = columns.iter().any(|c| matches!(c, Column::OutputDelay(_)));
+    // columns that delay an output: column, output, seconds for one unit of the column
+    let mut delayed: Vec<(usize, usize, f64)> = Vec::new();
+    for (c, column) in columns.iter().enumerate() {
+        match column {
+            Column::OutputDelay(o) => delayed.push((c, *o, 1.0)),
+            Column::Parameter(i) => delayed
+                .extend(by_parameter(p, *i, d.outputs, |o, p| model.output_path(o, p).delay).into_iter().map(|(o, seconds)| (c, o, seconds))),
+            _ => {}
+        }
+    }
+    let late = !delayed.is_empty() || measured.iter().any(|values| values.iter().any(|v| v.1 != 0.0));
+    let (mut middle, mut rate_middle) = (vec![0.0; n], vec![0.0; n]);
     for (k, &t) in times.iter().enumerate() {
         if k > 0 {
             if riccati {
@@ -319,13 +330,23 @@ pub(crate) fn run(
         }
         for (i, values) in measured.iter().enumerate() {
             let output = track.data.outputs[i];
-            if !values[k].is_finite() {
+            let (value, early) = values[k];
+            if !value.is_finite() {
                 continue;
             }
             let c = &c[output * n..(output + 1) * n];
             // outputs before this one have moved the state
             let moved: f64 = (0..n).map(|j| c[j] * (carried.state[j] - predicted[j])).sum();
-            let error = values[k] - y[output] - moved;
+            // the sensor saw the motion `early` seconds before this sample
+            let mut seen_before = 0.0;
+            if early != 0.0 {
+                (0..n).for_each(|j| middle[j] = predicted[j] - 0.5 * early * rate[j]);
+                if model.rhs(t, &middle, &u, stepper.parameters(), &mut rate_middle).is_err() {
+                    return Ok(None);
+                }
+                seen_before = early * (0..n).map(|j| c[j] * rate_middle[j]).sum::<f64>();
+            }
+            let error = value - (y[output] - seen_before) - moved;
             let sd = match filtering {
                 Filtering::Riccati => {
                     for (row, gain) in gain.iter_mut().enumerate() {
@@ -344,7 +365,7 @@ pub(crate) fn run(
                 }
                 Filtering::Frozen(gains) => {
                     let at = found.z.len();
-                    let Some(sd) = gains.sd.get(at) else { return Ok(None) };
+                    let Some(sd) = gains.sd.get(at) else { continue };
                     gain.copy_from_slice(&gains.gain[at * order..(at + 1) * order]);
                     *sd
                 }
@@ -359,9 +380,11 @@ pub(crate) fn run(
                 for (r, column) in row.iter_mut().zip(columns) {
                     match column {
                         Column::Parameter(j) => *r -= dhdp[output * d.parameters + j],
-                        Column::OutputDelay(o) if *o == output => *r += (0..n).map(|j| c[j] * rate[j]).sum::<f64>(),
                         _ => {}
                     }
+                }
+                for &(column, _, seconds) in delayed.iter().filter(|(_, o, _)| *o == output) {
+                    row[column] += seconds * (0..n).map(|j| c[j] * rate[j]).sum::<f64>();
                 }
                 for (a, &g) in gain.iter().enumerate() {
                     if g != 0.0 {
@@ -391,25 +414,26 @@ pub(crate) fn run(
     Ok(Some(found))
 }
 
-/// Measured outputs at the times at which their sensors saw them.
-fn shifted(model: &dyn Model, p: &[f64], data: &Data) -> Vec<Vec<f64>> {
+/// Measured outputs of a sensor with a delay: what is nearest to each sample, and how long before the sample the sensor saw it [s].
+fn shifted(model: &dyn Model, p: &[f64], data: &Data) -> Vec<Vec<(f64, f64)>> {
+    let t = &data.times;
     data.outputs
         .iter()
         .zip(&data.measured)
         .map(|(&output, values)| {
             let delay = model.output_path(output, p).delay;
             if delay == 0.0 {
-                return values.clone();
+                return values.iter().map(|v| (*v, 0.0)).collect();
             }
-            let t = &data.times;
             t.iter()
                 .map(|s| {
                     let at = s + delay;
-                    let k = t.partition_point(|t| *t <= at).max(1);
-                    if k >= t.len() {
-                        return f64::NAN;
-                    }
-                    values[k - 1] + (values[k] - values[k - 1]) * (at - t[k - 1]) / (t[k] - t[k - 1])
+                    let after = t.partition_point(|t| *t < at).min(t.len() - 1);
+                    let nearest = if after > 0 && at - t[after - 1] < t[after] - at { after - 1 } else { after };
+                    let early = at - t[nearest];
+                    // beyond the record's ends there is nothing
+                    let spacing = (t[t.len() - 1] - t[0]) / (t.len() - 1) as f64;
+                    (if early.abs() <= spacing { values[nearest] } else { f64::NAN }, early)
                 })
                 .collect()
         })

@@ -43,7 +43,8 @@ pub(crate) struct Stepper<'a> {
     dry: Vec<Dry>,
     /// Time between the samples [s].
     pub sample: f64,
-    delays: bool,
+    /// Columns that delay an input: column, input, seconds for one unit of the column.
+    delayed: Vec<(usize, usize, f64)>,
     fastest: f64,
     p: Vec<f64>,
     n: usize,
@@ -82,7 +83,7 @@ impl<'a> Stepper<'a> {
             decay,
             variance,
             columns,
-            delays: columns.iter().any(|c| matches!(c, Column::InputDelay(_))),
+            delayed: delayed(model, p, columns),
             fastest: 0.0,
             p: p.to_vec(),
             n,
@@ -134,7 +135,7 @@ impl<'a> Stepper<'a> {
         segment.at(t, &mut self.u);
         let Self { model, x, u, p, asked, dx, a, dfdp, work, .. } = self;
         model.sensitivities(t, x, u, p, asked, dx, a, dfdp, work).map_err(|_| Stopped)?;
-        if self.delays {
+        if !self.delayed.is_empty() {
             let Self { model, x, u, p, other, power, b, .. } = self;
             model.linearize(t, x, u, p, other, power, b).map_err(|_| Stopped)?;
         }
@@ -144,16 +145,14 @@ impl<'a> Stepper<'a> {
 
     /// A switch of the inputs by `jump` at time t: what a delay would change.
     pub fn switch(&mut self, t: f64, segment: &Segment, jump: &[f64], carried: &mut Carried) -> Result<(), Stopped> {
-        if !self.delays {
+        if self.delayed.is_empty() {
             return Ok(());
         }
         self.jacobians(t, segment, carried)?;
         let (m, signals) = (self.columns.len(), self.u.len());
-        for (c, column) in self.columns.iter().enumerate() {
-            if let Column::InputDelay(j) = column {
-                for i in 0..self.n {
-                    carried.sensitivity[i * m + c] -= self.b[i * signals + j] * jump[*j];
-                }
+        for &(c, j, seconds) in &self.delayed {
+            for i in 0..self.n {
+                carried.sensitivity[i * m + c] -= self.b[i * signals + j] * jump[j] * seconds;
             }
         }
         Ok(())
@@ -257,11 +256,7 @@ impl<'a> Stepper<'a> {
                     }
                     parameter += 1;
                 }
-                Column::InputDelay(j) => {
-                    for i in 0..n {
-                        self.forcing[i * m + c] = -self.b[i * signals + j] * segment.slopes[*j];
-                    }
-                }
+                Column::InputDelay(_) => (0..n).for_each(|i| self.forcing[i * m + c] = 0.0),
                 Column::OutputDelay(_) => {}
                 Column::Shaped(entry, shape) => {
                     let size = shape(t, &self.x, &self.u);
@@ -276,6 +271,11 @@ impl<'a> Stepper<'a> {
                         row[c] = other - own;
                     }
                 }
+            }
+        }
+        for &(c, j, seconds) in &self.delayed {
+            for i in 0..n {
+                self.forcing[i * m + c] -= self.b[i * signals + j] * segment.slopes[j] * seconds;
             }
         }
         Ok(())
@@ -304,6 +304,33 @@ impl<'a> Stepper<'a> {
             }
         }
     }
+}
+
+/// Which columns delay which inputs, and by how much.
+fn delayed(model: &dyn Model, p: &[f64], columns: &[Column<'_>]) -> Vec<(usize, usize, f64)> {
+    let mut found = Vec::new();
+    for (c, column) in columns.iter().enumerate() {
+        match column {
+            Column::InputDelay(j) => found.push((c, *j, 1.0)),
+            Column::Parameter(i) => found.extend(
+                by_parameter(p, *i, model.dimensions().inputs, |j, p| model.input_path(j, p).delay).into_iter().map(|(j, s)| (c, j, s)),
+            ),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The derivatives of `count` delays by a parameter, those that are not zero.
+pub(super) fn by_parameter(p: &[f64], parameter: usize, count: usize, delay: impl Fn(usize, &[f64]) -> f64) -> Vec<(usize, f64)> {
+    let size = (1e-3 * p[parameter].abs()).max(1e-6);
+    let mut moved = p.to_vec();
+    let mut at = |by: f64| {
+        moved[parameter] = p[parameter] + by;
+        (0..count).map(|j| delay(j, &moved)).collect::<Vec<_>>()
+    };
+    let (above, below) = (at(size), at(-size));
+    (0..count).map(|j| (j, (above[j] - below[j]) / (2.0 * size))).filter(|(_, s)| *s != 0.0).collect()
 }
 
 /// `out` += a b, with a (rows x inner) and b (inner x columns).
