@@ -2,10 +2,11 @@
 
 use crate::answer::Figures;
 use crate::error::DiagnoseError;
-use crate::figures::{AHEAD, View, figures};
+use crate::figures::{View, figures};
 use crate::model::{Included, Prepared, prepare};
 use crate::options::Options;
 use crate::patch::Base;
+use crate::quality::ahead;
 use ident::fit::minimize::Limits;
 use ident::fit::{FitError, FitOptions, Loss, ParameterSpec, identify};
 use ident::innovations::{EstimateOptions, Estimated, Noise, Track, estimate, likelihood};
@@ -88,8 +89,8 @@ pub fn fit_base(
     let Some(best) = best else { return Err(DiagnoseError::Fit(failed.unwrap_or(FitError::NoRecord))) };
     let found = estimate(&plain.model, &plain.specs, tracks, &best.p, best.noise, EstimateOptions::default())?;
     let names: Vec<String> = plain.specs.iter().map(|s| s.name.clone()).collect();
-    let ahead = View { hold: options.hold, horizon: Some(AHEAD) };
-    let error = |p: &[Vec<f64>]| error(&figures(&plain.model, p, &p0, train, &[], ahead));
+    let view = View { hold: options.hold, horizon: Some(ahead(plain, &p0)) };
+    let error = |p: &[Vec<f64>]| error(&figures(&plain.model, p, &p0, train, &[], view));
     let nearest = starts.iter().map(|p| (error(p), p)).min_by(|a, b| a.0.total_cmp(&b.0));
     let Some((_, start)) = nearest.filter(|(least, _)| error(&found.p) > LOST * least) else {
         return Ok((Fitted { found, names }, asked.to_vec()));

@@ -16,7 +16,7 @@ pub struct View {
     pub horizon: Option<f64>,
 }
 
-/// Seconds ahead where a free run says nothing.
+/// Most seconds ahead where a free run says nothing.
 pub const AHEAD: f64 = 1.0;
 /// A free run that follows a signal less than this says nothing of what is missing [percent].
 const FOLLOWS: f64 = 60.0;
@@ -30,11 +30,11 @@ fn wrapped(model: &dyn Model, p: &[f64]) -> Vec<String> {
     (0..model.dimensions().outputs).filter(wraps).map(|i| model.names().output(i).to_owned()).collect()
 }
 
-/// Free runs, unless an axis integrates or the refitted base drifts off: then predictions.
+/// Free runs, unless an axis integrates or the refitted base drifts off: then predictions `ahead` [s].
 #[must_use]
-pub fn view(free: &Figures, integrates: bool, hold: Hold) -> View {
+pub fn view(free: &Figures, integrates: bool, ahead: f64, hold: Hold) -> View {
     let lost = free.train.iter().chain(&free.test).any(|f| f.horizon.is_none() && f.fit_percent.is_some_and(|p| p < FOLLOWS));
-    View { hold, horizon: (lost || integrates).then_some(AHEAD) }
+    View { hold, horizon: (lost || integrates).then_some(ahead) }
 }
 
 /// Figures of a model with parameters of its training records, and `p` for the test records.
@@ -62,8 +62,8 @@ pub fn figures(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Reco
     }
 }
 
-/// A gap of this part of the floor's square is none.
-const NONE: f64 = 1.2;
+/// Squared errors below this multiple of the floor are no gap: those of a single run scatter about it by a third and more.
+const NONE: f64 = 2.0;
 
 /// 1 - (after^2 - floor^2)/(before^2 - floor^2) of each signal over all test records. The floor is the noise of its sensor and
 /// what the random forces of the last model do to such a run: no model can be nearer. Signals whose gap is no larger are left out.

@@ -1,5 +1,6 @@
 //! Whether records can be used at all, and samples that are taken out of use.
 
+use crate::figures::AHEAD;
 use crate::model::Prepared;
 use ident::fit::FitError;
 use ident::innovations::{Noise, Track, likelihood};
@@ -150,6 +151,11 @@ fn outliers(values: &[f64], quantum: f64, turn: Option<f64>) -> Vec<usize> {
     let mut all: Vec<f64> = (0..count).map(|k| off(k, &good).abs()).collect();
     let mut sizes = all.clone();
     sizes.sort_by(f64::total_cmp);
+    // values that often stand still come in steps, whatever was declared
+    let mut steps: Vec<f64> = values.windows(2).map(|v| near(v[1] - v[0]).abs()).filter(|v| *v > 0.0).collect();
+    steps.sort_by(f64::total_cmp);
+    let step = if 4 * steps.len() < 3 * count { steps.get(steps.len() / 2).copied().unwrap_or(0.0) } else { 0.0 };
+    let quantum = quantum.max(step);
     let scale = (1.4826 * sizes[count / 2]).max(sizes[count * 9 / 10] / 1.645).max(0.6 * quantum).max(f64::MIN_POSITIVE);
     let mut found = Vec::new();
     while let Some((k, size)) = all.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -181,6 +187,15 @@ fn poles(prepared: &Prepared, p: &[f64]) -> Vec<nalgebra::Complex<f64>> {
         return Vec::new();
     }
     nalgebra::DMatrix::from_row_slice(n, n, &a).complex_eigenvalues().iter().copied().collect()
+}
+
+/// Seconds of a prediction: an error of an unstable rig must not grow more than by this exponent.
+const GROWS: f64 = 1.5;
+
+/// How far ahead predictions of this rig can be asked for [s].
+pub fn ahead(prepared: &Prepared, p: &[f64]) -> f64 {
+    let fastest = poles(prepared, p).iter().map(|pole| pole.re).fold(0.0, f64::max);
+    if fastest * AHEAD > GROWS { GROWS / fastest } else { AHEAD }
 }
 
 /// An axis integrates: a free run over `duration` [s] gathers whatever force is left and says nothing of any one.

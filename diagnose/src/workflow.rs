@@ -12,7 +12,7 @@ use crate::locate::locate;
 use crate::model::{Prepared, prepare};
 use crate::options::{Options, Step};
 use crate::patch::Base;
-use crate::quality::{integrates, look, mended, mistaken, strangers, stride};
+use crate::quality::{ahead, integrates, look, mended, mistaken, strangers, stride};
 use crate::screen::{SAME, Score, UNIQUE, cosine};
 use crate::search::{State, scales};
 use crate::traces;
@@ -102,7 +102,7 @@ pub fn diagnose(
     let mut seen = View { hold: options.hold, horizon: None };
     answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
     let longest = train.iter().map(Record::duration).fold(0.0, f64::max);
-    seen = view(&answer.before, integrates(&plain, &fitted.mean(), longest), options.hold);
+    seen = view(&answer.before, integrates(&plain, &fitted.mean(), longest), ahead(&plain, &p0), options.hold);
     if seen.horizon.is_some() {
         answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
     }
@@ -126,6 +126,9 @@ pub fn diagnose(
     let mut current = State { prepared: plain, fitted, accepted: Vec::new() };
     let base_state_names: Vec<(String, String, f64, f64)> = current.free_parameters();
     let base_figures = answer.before.clone();
+    // acceptance looks at predictions: many starts scatter less than one free run, which may go over the top
+    let gate = View { hold: options.hold, horizon: seen.horizon.or(Some(ahead(&current.prepared, &p0))) };
+    let mut at_gate = figures(&current.prepared.model, &[], &current.fitted.mean(), &[], test, gate);
     let mut rejected: Vec<(String, String)> = Vec::new();
     let mut contradicted = false;
     let mut left_over;
@@ -152,7 +155,7 @@ pub fn diagnose(
                 rejected.push((left[tried.index].title(), why));
                 continue;
             }
-            let verdict = judge(&current.fitted, &current.prepared, &tried, test, &held, &answer.after, seen, options)?;
+            let verdict = judge(&current.fitted, &current.prepared, &tried, test, &held, &at_gate, gate, options)?;
             match verdict.refused {
                 None => {
                     accepted = Some((tried, verdict));
@@ -181,8 +184,8 @@ pub fn diagnose(
             per_record: tried.per_record,
         };
         answer.findings.push(finding);
-        answer.after = figures(&tried.prepared.model, &tried.fitted.found.p, &tried.fitted.mean(), train, &[], seen);
-        answer.after.test = verdict.figures.test;
+        answer.after = figures(&tried.prepared.model, &tried.fitted.found.p, &tried.fitted.mean(), train, test, seen);
+        at_gate = verdict.figures;
         current = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
         contradicted = false;
         // what an earlier effect stood for may have been this one
@@ -193,6 +196,7 @@ pub fn diagnose(
             if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, &mut tracks, true) {
                 answer.findings.remove(drop);
                 answer.after = figures(&prepared.model, &fitted.found.p, &fitted.mean(), train, test, seen);
+                at_gate = figures(&prepared.model, &[], &fitted.mean(), &[], test, gate);
                 current = State { prepared, fitted, accepted: fewer };
             }
         }

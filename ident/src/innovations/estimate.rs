@@ -238,8 +238,11 @@ fn inverse(normal: &DMatrix<f64>) -> DMatrix<f64> {
     })
 }
 
-/// Likelihood of a record with given parameters and noise: the sum over outputs of each sample's logarithm, by sample; `None`
-/// where the model cannot be followed.
+/// Whitened innovations beyond this count by their magnitude (Huber): a few samples must not speak for a record.
+const TAIL: f64 = 3.0;
+
+/// Likelihood of a record with given parameters and noise: the sum over outputs of each sample's logarithm, by sample, with Huber's
+/// tails; `None` where the model cannot be followed.
 ///
 /// # Errors
 /// As [`super::pass`].
@@ -249,7 +252,8 @@ pub fn likelihood(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise) ->
     let Some(pass) = run(model, p, &track, noise, &[], &Filtering::Riccati, &mut |_| {})? else { return Ok(None) };
     let mut by_sample = vec![0.0; track.times().len()];
     for (i, (&(k, _), z)) in pass.at.iter().zip(&pass.z).enumerate() {
-        by_sample[k] -= 0.5 * z * z + pass.gains.sd[i].ln();
+        let loss = if z.abs() <= TAIL { 0.5 * z * z } else { TAIL * (z.abs() - 0.5 * TAIL) };
+        by_sample[k] -= loss + pass.gains.sd[i].ln();
     }
     Ok(Some(by_sample))
 }

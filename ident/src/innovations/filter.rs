@@ -282,8 +282,9 @@ pub(crate) fn run(
     for (c, column) in columns.iter().enumerate() {
         match column {
             Column::OutputDelay(o) => delayed.push((c, *o, 1.0)),
-            Column::Parameter(i) => delayed
-                .extend(by_parameter(p, *i, d.outputs, |o, p| model.output_path(o, p).delay).into_iter().map(|(o, seconds)| (c, o, seconds))),
+            Column::Parameter(i) => delayed.extend(
+                by_parameter(p, *i, d.outputs, |o, p| model.output_path(o, p).delay).into_iter().map(|(o, seconds)| (c, o, seconds)),
+            ),
             _ => {}
         }
     }
