@@ -379,9 +379,8 @@ pub(crate) fn run(
                     }
                 }
                 for (r, column) in row.iter_mut().zip(columns) {
-                    match column {
-                        Column::Parameter(j) => *r -= dhdp[output * d.parameters + j],
-                        _ => {}
+                    if let Column::Parameter(j) = column {
+                        *r -= dhdp[output * d.parameters + j];
                     }
                 }
                 for &(column, _, seconds) in delayed.iter().filter(|(_, o, _)| *o == output) {
