@@ -195,7 +195,8 @@ const GROWS: f64 = 1.5;
 /// How far ahead predictions of this rig can be asked for [s].
 pub fn ahead(prepared: &Prepared, p: &[f64]) -> f64 {
     let fastest = poles(prepared, p).iter().map(|pole| pole.re).fold(0.0, f64::max);
-    if fastest * AHEAD > GROWS { GROWS / fastest } else { AHEAD }
+    // in hundredths, to be read
+    if fastest * AHEAD > GROWS { (100.0 * GROWS / fastest).floor().max(1.0) / 100.0 } else { AHEAD }
 }
 
 /// An axis integrates: a free run over `duration` [s] gathers whatever force is left and says nothing of any one.
