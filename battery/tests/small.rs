@@ -39,3 +39,14 @@ fn a_large_hidden_effect_is_named() {
     assert!(right(said, &found, 0), "hidden {:?}, said {:?}", found.hidden, found.said);
     assert!(found.test_ratio.is_some_and(|r| r < 1.0), "{:?}", found.test_ratio);
 }
+
+#[test]
+fn a_delay_shorter_than_a_sample_is_found_again_by_its_refit() {
+    let found = outcome(Hiding::This("input_delay", 6.0), 1);
+    assert!(!found.failed, "{}", found.because);
+    let said = found.said.first().unwrap_or_else(|| panic!("nothing was named: {}", found.because));
+    assert!(["input_delay", "actuator_lag", "sensor_delay"].contains(&said.effect.as_str()), "said {:?}", found.said);
+    let (delay, sd) = said.values[0];
+    let hidden = found.hidden[0].sizes[0];
+    assert!(hidden < 0.01 && (delay - hidden).abs() < 4.0 * sd, "hidden {hidden} s, found {delay} +- {sd} s");
+}
