@@ -1,5 +1,5 @@
-//! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME] [--records FOLDER]`; `--table FILE ..` prints what
-//! files hold; `--examples FOLDER` writes the records of `examples/hidden`.
+//! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME] [--numbers 3,7]
+//! [--records FOLDER] [--aloud]`; `--table FILE ..` prints what files hold; `--examples FOLDER` writes the records of `examples/hidden`.
 
 use battery::rigs::Rig;
 use battery::rows::{ROWS, tasks};
@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--records FOLDER]\n       battery --table FILE ..\n       battery --examples FOLDER";
+const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--numbers 3,7] [--records FOLDER] [--aloud]\n       battery --table FILE ..\n       battery --examples FOLDER";
 
 fn main() -> ExitCode {
     match work(std::env::args().skip(1).collect()) {
@@ -34,6 +34,8 @@ struct Arguments {
     table: Vec<String>,
     examples: Option<String>,
     records: Option<String>,
+    numbers: Vec<u64>,
+    aloud: bool,
 }
 
 fn arguments(given: Vec<String>) -> Result<Arguments, String> {
@@ -48,6 +50,8 @@ fn arguments(given: Vec<String>) -> Result<Arguments, String> {
         table: Vec::new(),
         examples: None,
         records: None,
+        numbers: Vec::new(),
+        aloud: false,
     };
     let mut given = given.into_iter().peekable();
     while let Some(word) = given.next() {
@@ -72,6 +76,12 @@ fn arguments(given: Vec<String>) -> Result<Arguments, String> {
             }
             "--records" => own.records = Some(value()?),
             "--examples" => own.examples = Some(value()?),
+            "--numbers" => {
+                let list = value()?;
+                let each = list.split(',').map(|n| n.trim().parse().map_err(|_| format!("`{n}` is no number of a run\n{USAGE}")));
+                own.numbers = each.collect::<Result<_, _>>()?;
+            }
+            "--aloud" => own.aloud = true,
             "--resume" => own.resume = true,
             "--table" => own.table = given.by_ref().collect(),
             _ => return Err(format!("`{word}` is not known\n{USAGE}")),
@@ -116,6 +126,7 @@ fn work(given: Vec<String>) -> Result<(), String> {
         .iter()
         .flat_map(|row| tasks(row, arguments.runs, &arguments.rigs))
         .filter(|t| arguments.part.as_ref().is_none_or(|p| t.part == *p))
+        .filter(|t| arguments.numbers.is_empty() || arguments.numbers.contains(&t.number))
         .filter(|t| !done.contains(&key(t.row, &t.part, t.rig.name(), t.number)))
         .collect();
     let file = std::fs::OpenOptions::new().create(true).append(true).open(out).map_err(|e| format!("{out}: {e}"))?;
@@ -125,7 +136,9 @@ fn work(given: Vec<String>) -> Result<(), String> {
         for _ in 0..arguments.threads.max(1) {
             scope.spawn(|| {
                 while let Some(task) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let Some(outcome) = run(task, arguments.records.as_deref().map(std::path::Path::new)) else { continue };
+                    let Some(outcome) = run(task, arguments.records.as_deref().map(std::path::Path::new), arguments.aloud) else {
+                        continue;
+                    };
                     if let (Ok(line), Ok(mut file)) = (serde_json::to_string(&outcome), file.lock()) {
                         let _ = writeln!(file, "{line}");
                     }

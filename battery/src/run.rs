@@ -192,6 +192,8 @@ pub fn experiments(bench: &Bench, plant: &Plant, condition: &Condition, seed: u6
 }
 
 struct Setting {
+    /// Say what a diagnosis does.
+    aloud: bool,
     base: Base,
     specs: Vec<ParameterSpec>,
     bench: Bench,
@@ -199,6 +201,12 @@ struct Setting {
 }
 
 impl Setting {
+    fn tell(&self, text: &str) {
+        if self.aloud {
+            eprintln!("{text}");
+        }
+    }
+
     /// Effects that the catalogue has for this rig, moved as it is.
     fn known(&self, plant: &Plant, task: &Task) -> Vec<String> {
         let condition = Condition { fault: None, ..task.condition };
@@ -236,10 +244,10 @@ impl Setting {
         (all.iter().zip(names).map(|(s, n)| record(n, s, task.rig)).collect(), moved)
     }
 
-    fn diagnose(&self, records: &[Record], only: &[String], until: Step, method: Method) -> Result<Diagnosis, String> {
+    fn diagnose(&self, (train, test): (&[Record], &[Record]), only: &[String], until: Step, method: Method) -> Result<Diagnosis, String> {
         let ask = |only: Vec<String>| {
-            let options = Options { only, until, method, ..Options::default() };
-            diagnose(&self.base, &self.specs, &records[..2], &records[2..], &options)
+            let options = Options { only, until, method, progress: &|t| self.tell(t), ..Options::default() };
+            diagnose(&self.base, &self.specs, train, test, &options)
         };
         let run = || {
             let found = match ask(only.to_vec()) {
@@ -249,6 +257,7 @@ impl Setting {
             };
             found.map_err(|e| e.to_string())
         };
+        self.tell(&format!("diagnosing {}", self.base.rig.name));
         // a fault of the program is a result, too
         std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).unwrap_or_else(|panic| {
             let text = panic.downcast_ref::<String>().cloned().or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned()));
@@ -272,9 +281,9 @@ fn save(folder: &Path, task: &Task, records: &[Record]) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Makes a run, its files to `keep`. `None` where there is nothing that could be hidden.
+/// Makes a run, its files to `keep`; `aloud` says what a diagnosis does. `None` where there is nothing that could be hidden.
 #[must_use]
-pub fn run(task: &Task, keep: Option<&Path>) -> Option<Outcome> {
+pub fn run(task: &Task, keep: Option<&Path>, aloud: bool) -> Option<Outcome> {
     let mut naming = Chance::new(task.number, &task.stream);
     let seed = (naming.uniform() * 1e15) as u64;
     let mut chance = Chance::new(seed, "hide");
@@ -307,7 +316,7 @@ pub fn run(task: &Task, keep: Option<&Path>) -> Option<Outcome> {
         Err(why) => return fail(outcome, why),
     };
     let specs = ParameterSpec::of_rig(&base.rig);
-    let setting = Setting { base, specs, bench: task.rig.bench(seed), seed };
+    let setting = Setting { aloud, base, specs, bench: task.rig.bench(seed), seed };
     let mut plant = setting.bench.plant.clone();
     // only what can act on this rig
     let known = setting.known(&plant, task);
@@ -319,11 +328,12 @@ pub fn run(task: &Task, keep: Option<&Path>) -> Option<Outcome> {
     }
     if task.hiding != Hiding::Nothing {
         let (records, moved) = setting.records(task, &plant, &mut chance);
-        let clean = match setting.diagnose(&records, &only, Step::Screen, Method::default()) {
+        let clean = match setting.diagnose((&records[..2], &records[2..]), &only, Step::Screen, Method::default()) {
             Ok(clean) => clean,
             Err(why) => return fail(outcome, format!("without the effect: {why}")),
         };
-        outcome.hidden = choose(task, &clean.candidates, &mut plant, &moved, &mut chance)?;
+        let told = shown_by_both(clean.candidates);
+        outcome.hidden = choose(task, &told, &mut plant, &moved, &mut chance)?;
         if let Hiding::Decoy(_) = task.hiding {
             only.retain(|id| outcome.hidden.iter().all(|h| h.effect != *id));
         }
@@ -333,7 +343,7 @@ pub fn run(task: &Task, keep: Option<&Path>) -> Option<Outcome> {
         return fail(outcome, why.to_string());
     }
     let began = std::time::Instant::now();
-    let found = setting.diagnose(&records, &only, Step::Patch, task.method);
+    let found = setting.diagnose((&records[..2], &records[2..]), &only, Step::Patch, task.method);
     outcome.seconds = began.elapsed().as_secs_f64();
     match found {
         Ok(found) => {
@@ -344,9 +354,28 @@ pub fn run(task: &Task, keep: Option<&Path>) -> Option<Outcome> {
     }
 }
 
+/// The most by which the test record may show an effect less than the training records do, to be of use against it.
+const DULLER: f64 = 3.0;
+
+/// Candidates that the training records and the test record can show, with the size that shows in both: an effect that the test record
+/// is blind to cannot be confirmed by it, whoever is asked.
+fn shown_by_both(candidates: Vec<Candidate>) -> Vec<Candidate> {
+    let both = |mut c: Candidate| {
+        for (own, in_test) in c.minimal_detectable.iter_mut().zip(&c.detectable_in_test) {
+            // parameters that neither can show stay as they are
+            if own.1.is_finite() && *in_test > DULLER * own.1 {
+                return None;
+            }
+            own.1 = own.1.max(*in_test);
+        }
+        Some(c)
+    };
+    candidates.into_iter().filter(|c| c.status != "not identifiable").filter_map(both).collect()
+}
+
 /// What is hidden, and where.
 fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Moved, chance: &mut Chance) -> Option<Vec<Hidden>> {
-    let told: Vec<&Candidate> = candidates.iter().filter(|c| c.status != "not identifiable").collect();
+    let told: Vec<&Candidate> = candidates.iter().collect();
     let detectable = |c: &Candidate| c.minimal_detectable.iter().map(|m| m.1).collect::<Vec<f64>>();
     let (count, multiple) = match task.hiding {
         Hiding::Nothing => return Some(Vec::new()),

@@ -17,7 +17,7 @@ fn outcome(hiding: Hiding, number: u64) -> Outcome {
         number,
         stream: "test".to_owned(),
     };
-    run(&task, None).expect("this can be hidden in a pendulum")
+    run(&task, None, false).expect("this can be hidden in a pendulum")
 }
 
 #[test]

@@ -107,6 +107,8 @@ pub struct Candidate {
     pub unique_fraction: f64,
     /// Smallest sizes that would have been found: name, size, unit.
     pub minimal_detectable: Vec<(String, f64, String)>,
+    /// Smallest sizes that would have been found in the test records (SI), in the same order; empty where there are none.
+    pub detectable_in_test: Vec<f64>,
     /// Number of its class; candidates of one class cannot be told apart.
     pub class: usize,
     /// `accepted`, `equivalent`, `quiet`, `not identifiable`, `rejected: ..`.

@@ -49,19 +49,3 @@ pub fn beyond(value: f64, degrees: usize) -> f64 {
 pub fn quantile(p: f64) -> f64 {
     Normal::standard().inverse_cdf(p.clamp(1e-300, 1.0 - 1e-16))
 }
-
-/// Mean and the half width of its 95 % interval, samples hanging together over up to `lags` (Newey and West, 1987).
-#[must_use]
-pub fn mean_and_half_width(values: &[f64], lags: usize) -> (f64, f64) {
-    let n = values.len();
-    if n < 2 {
-        return (values.first().copied().unwrap_or(0.0), f64::INFINITY);
-    }
-    let mean = values.iter().sum::<f64>() / n as f64;
-    let mut variance = 0.0;
-    for lag in 0..=lags.min(n - 1) {
-        let weight = if lag == 0 { 1.0 } else { 2.0 * (1.0 - lag as f64 / (lags as f64 + 1.0)) };
-        variance += weight * values.iter().zip(&values[lag..]).map(|(a, b)| (a - mean) * (b - mean)).sum::<f64>() / n as f64;
-    }
-    (mean, 1.96 * (variance.max(0.0) / n as f64).sqrt())
-}

@@ -21,8 +21,10 @@ pub const AHEAD: f64 = 1.0;
 /// A free run that follows a signal less than this says nothing of what is missing [percent].
 const FOLLOWS: f64 = 60.0;
 
-/// Starts of predictions over a record.
-const MOST_STARTS: usize = 1500;
+/// Starts of predictions along a record: windows overlap, so that more say little.
+const STARTS: usize = 150;
+/// Samples of a record that is predicted.
+const SAMPLES: usize = 1500;
 
 /// Outputs that are read modulo one turn.
 fn wrapped(model: &dyn Model, p: &[f64]) -> Vec<String> {
@@ -41,13 +43,13 @@ pub fn view(free: &Figures, integrates: bool, ahead: f64, hold: Hold) -> View {
 #[must_use]
 pub fn figures(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Record], test: &[Record], view: View) -> Figures {
     let of = |record: &Record, p: &[f64]| -> Vec<Figure> {
-        // a prediction starts at every sample: more of them say nothing new
-        let count = record.t.len().div_ceil(MOST_STARTS);
+        let count = record.t.len().div_ceil(SAMPLES);
         let inputs: Vec<String> = (0..model.dimensions().inputs).map(|i| model.names().signal(i).to_owned()).collect();
         let held = if view.hold == Hold::Zero { inputs } else { Vec::new() };
         let fewer = view.horizon.filter(|_| count > 1).map(|_| averaged(record, count, &wrapped(model, p), &held));
         let hold = if fewer.is_some() { Hold::First } else { view.hold };
-        let options = CompareOptions { hold, horizon: view.horizon, ..CompareOptions::default() };
+        let simulation = sim::Options { relative: 1e-7, absolute: 1e-9, ..sim::Options::default() };
+        let options = CompareOptions { hold, horizon: view.horizon, simulation, starts: STARTS, ..CompareOptions::default() };
         let Ok(found) = compare(model, p, fewer.as_ref().unwrap_or(record), &options) else { return Vec::new() };
         let horizon = found.horizon();
         found

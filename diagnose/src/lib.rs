@@ -25,6 +25,7 @@ mod quality;
 mod screen;
 mod search;
 mod shapes;
+mod shown;
 mod traces;
 mod verdict;
 mod workflow;

@@ -51,8 +51,6 @@ pub struct Score {
     pub minimal_detectable: Vec<f64>,
     /// One step from zero: value and standard error of each parameter.
     pub step: Vec<(f64, f64)>,
-    /// The same for each record on its own, given the others' fit.
-    pub by_record: Vec<Vec<(f64, f64)>>,
     /// Its whitened signature, projected, of length one.
     pub direction: Vec<f32>,
 }
@@ -168,7 +166,7 @@ pub fn screen(
     for range in &own {
         let range = range.start - fitted.len()..range.end - fitted.len();
         let test = Test::new(&all, &whole, range.clone());
-        scores.push(score(&test, &residual, m, &innovation, &record_of, &time_of, tracks.len()));
+        scores.push(score(&test, &residual, m, &innovation, &record_of, &time_of));
         tests.push(test);
     }
     let least = draws(&all, &tests, options.seed);
@@ -289,21 +287,13 @@ impl Test {
     }
 }
 
-fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], time: &[usize], records: usize) -> Score {
+fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], time: &[usize]) -> Score {
     let k = test.range.len();
     let row = |s: usize| &residual[s * m + test.range.start..s * m + test.range.end];
     let mut b = DVector::<f64>::zeros(k);
-    let mut b_of = vec![DVector::<f64>::zeros(k); records];
-    let mut normal_of = vec![DMatrix::<f64>::zeros(k, k); records];
     for s in 0..z.len() {
         let r = row(s);
         let product = DVector::from_fn(k, |i, _| r[i] * z[s]);
-        for i in 0..k {
-            for j in 0..k {
-                normal_of[record[s]][(i, j)] += r[i] * r[j];
-            }
-        }
-        b_of[record[s]] += &product;
         b += product;
     }
     let mut statistic = test.statistic(&b);
@@ -336,13 +326,6 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
     }
     let p_single = if test.speaks() { beyond(statistic, test.degrees) } else { 1.0 };
     let step = (0..k).map(|i| (estimate[i], test.inverse[(i, i)].max(0.0).sqrt())).collect();
-    let by_record = (0..records)
-        .map(|r| {
-            let inverse = normal_of[r].clone().pseudo_inverse(1e-12).unwrap_or_else(|_| DMatrix::zeros(k, k));
-            let value = -(&inverse * &b_of[r]);
-            (0..k).map(|i| (value[i], if inverse[(i, i)] > 0.0 { inverse[(i, i)].sqrt() } else { f64::INFINITY })).collect()
-        })
-        .collect();
     let mut direction: Vec<f32> =
         (0..z.len()).map(|s| row(s).iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>() as f32).collect();
     let length = direction.iter().map(|d| f64::from(*d).powi(2)).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
@@ -355,7 +338,6 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
         unique_fraction: test.unique,
         minimal_detectable: Vec::new(),
         step,
-        by_record,
         direction,
     }
 }

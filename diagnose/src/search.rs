@@ -30,6 +30,8 @@ pub(crate) struct State {
 /// A screening and what it is about.
 pub(crate) struct Round {
     pub scores: Vec<Score>,
+    /// What each candidate would have to be to be found in the test records (SI).
+    pub in_test: Vec<Vec<f64>>,
     /// A shape that no candidate of the catalogue has, if it is significant.
     pub left_over: Option<String>,
 }
@@ -56,6 +58,7 @@ impl State {
         asked: &[ParameterSpec],
         left: &[&Effect],
         tracks: &[Track],
+        held: &[Track],
         options: &Options<'_>,
     ) -> Result<Round, DiagnoseError> {
         // one model with all candidates at their null values, beside what was accepted
@@ -68,7 +71,8 @@ impl State {
         }));
         let accepted = self.accepted.len();
         let texts = prepare(base, asked, &included, accepted)?;
-        let p: Vec<Vec<f64>> = self.fitted.found.p.iter().map(|p| carry(&self.prepared, p, &texts)).collect();
+        let carried = |p: &[f64]| carry(&self.prepared, p, &texts);
+        let p: Vec<Vec<f64>> = self.fitted.found.p.iter().map(|p| carried(p)).collect();
         let noise = self.fitted.noise_in(&texts, options.method.whitening);
         // models that an assumption was taken out of
         let mut other: Vec<Option<Prepared>> = Vec::new();
@@ -82,9 +86,15 @@ impl State {
                 _ => seen.push(Seen::Effect(e, texts.of_effect[accepted + k].clone())),
             }
         }
+        let choices = ScreenOptions { family: options.family, seed: options.seed };
+        let mean = carried(&self.fitted.mean());
+        let begun: Vec<Track> = held.iter().map(|track| track.begun(&texts.model, &mean)).collect();
+        // a test record that cannot be followed shows nothing
+        let in_test = screen(&texts, &vec![mean; held.len()], &noise, &begun, &seen, choices).unwrap_or_default();
+        let in_test = in_test.into_iter().map(|s| s.minimal_detectable).collect();
         let count = seen.len();
         seen.extend(unnamed(&texts, &self.scales(tracks)));
-        let scores = screen(&texts, &p, &noise, tracks, &seen, ScreenOptions { family: options.family, seed: options.seed })?;
+        let scores = screen(&texts, &p, &noise, tracks, &seen, choices)?;
         let left_over = scores[count..]
             .iter()
             .zip(&seen[count..])
@@ -94,7 +104,7 @@ impl State {
                 Seen::Shape(_, words) => format!("{words} (score {:.1})", s.statistic.sqrt()),
                 _ => String::new(),
             });
-        Ok(Round { scores, left_over })
+        Ok(Round { scores, in_test, left_over })
     }
 
     fn scales(&self, tracks: &[Track]) -> Scales {
@@ -168,7 +178,6 @@ impl State {
                 fitted,
                 equivalent: Vec::new(),
                 per_record: false,
-                by_record: scores[index].by_record.clone(),
             });
         }
         tried.sort_by(|a, b| b.value.total_cmp(&a.value));
@@ -239,16 +248,7 @@ impl State {
                 start: begin(left[i], &step, tracks),
             });
             let Ok((prepared, fitted)) = refit(base, asked, &included, &t.fitted, tracks, false) else { continue };
-            let rival = Tried {
-                index: i,
-                value: 0.0,
-                included,
-                prepared,
-                fitted,
-                equivalent: Vec::new(),
-                per_record: false,
-                by_record: scores[i].by_record.clone(),
-            };
+            let rival = Tried { index: i, value: 0.0, included, prepared, fitted, equivalent: Vec::new(), per_record: false };
             let worth = total(&rival, &t.fitted.found.noise)?;
             let best = rivals[0].1;
             rivals.push((i, worth));

@@ -1,11 +1,25 @@
 //! From where the search ended to a verdict, parameters that moved, and the patched text.
 
+use crate::accept::Refusal;
 use crate::answer::{Diagnosis, EffectValue, Moved, Verdict};
+use crate::effects::Effect;
 use crate::error::DiagnoseError;
 use crate::patch::{Base, Written, check, compose, digits};
 use crate::search::State;
 use ident::record::Record;
 use runtime::Model;
+
+/// A candidate that was refused.
+pub(crate) struct Rejected {
+    /// It.
+    pub effect: Effect,
+    /// Why.
+    pub why: Refusal,
+    /// It spoke in the screening beyond what chance does where nothing is missing, and not as the shadow of another.
+    pub significant: bool,
+    /// In this turn of the search.
+    pub turn: usize,
+}
 
 /// Verdict, moved parameters, patched text.
 #[allow(clippy::too_many_arguments)]
@@ -14,9 +28,8 @@ pub(crate) fn finish(
     answer: &mut Diagnosis,
     state: &State,
     before: &[(String, String, f64, f64)],
-    rejected: &[(String, String)],
+    (rejected, last): (&[Rejected], usize),
     left_over: Option<String>,
-    contradicted: bool,
     train: &[Record],
 ) -> Result<(), DiagnoseError> {
     let specs = &state.prepared.specs;
@@ -52,19 +65,34 @@ pub(crate) fn finish(
             "accepted".clone_into(&mut candidate.status);
         } else if answer.findings.iter().any(|f| f.equivalent.iter().any(|(id, place)| title(id, place))) {
             "equivalent".clone_into(&mut candidate.status);
-        } else if let Some((_, why)) = rejected.iter().find(|(t, _)| t.starts_with(&format!("{} on {}", candidate.effect, candidate.place)))
+        } else if let Some(r) = rejected
+            .iter()
+            .find(|r| r.effect.id == candidate.effect && r.effect.place == candidate.place && r.effect.shape == candidate.shape)
         {
-            candidate.status = format!("rejected: {why}");
+            candidate.status = format!("rejected: {}", r.why);
         }
     }
     let ambiguous = answer.findings.iter().any(|f| !f.equivalent.is_empty());
     let words = left_over.as_ref().map(|w| format!("; left over: {w}")).unwrap_or_default();
+    // what the last model still leaves open
+    let open: Vec<&Rejected> = rejected.iter().filter(|r| r.significant && r.turn == last).collect();
+    let untold: Vec<String> = open.iter().filter(|r| matches!(r.why, Refusal::Untold(_))).map(|r| r.effect.title()).collect();
+    let contradicted = open.iter().any(|r| !matches!(r.why, Refusal::Untold(_)));
     (answer.verdict, answer.because) = if answer.findings.is_empty() {
         if contradicted {
-            let list: Vec<String> = rejected.iter().map(|(t, why)| format!("{t} ({why})")).collect();
+            let list: Vec<String> = rejected.iter().map(|r| format!("{} ({})", r.effect.title(), r.why)).collect();
             (
                 Verdict::OutsideCatalogue,
                 format!("there is a gap, but no candidate stands the test on other records: {}{words}", list.join("; ")),
+            )
+        } else if !untold.is_empty() {
+            (
+                Verdict::NotIdentifiable,
+                format!(
+                    "the training records ask for {}, which the test records cannot confirm: they would show too little of it if it were \
+                     there{words}",
+                    untold.join(" or ")
+                ),
             )
         } else if let Some(words) = left_over {
             (Verdict::OutsideCatalogue, format!("there is a gap that no candidate explains: {words}"))
@@ -83,6 +111,11 @@ pub(crate) fn finish(
                 "these records cannot tell {} from {list}{words}",
                 of.map_or(String::new(), |f| format!("{} on {}", f.effect, f.place))
             ),
+        )
+    } else if !untold.is_empty() && !contradicted {
+        (
+            Verdict::Partial,
+            format!("the test records cannot confirm {}, which the training records ask for besides{words}", untold.join(" or ")),
         )
     } else if contradicted || left_over.is_some() {
         (Verdict::Partial, format!("something is left that no candidate explains{words}"))

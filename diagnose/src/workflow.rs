@@ -2,7 +2,7 @@
 //!
 //! look at the records -> fit the base -> where -> screen -> refit the few best -> accept one or none -> again -> verdict -> patch.
 
-use crate::accept::judge;
+use crate::accept::{Bench, Refusal, judge};
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
 use crate::base_fit::{fit_base, refit};
 use crate::effects::{Effect, IDS, Scales, catalogue};
@@ -13,10 +13,10 @@ use crate::model::{Prepared, prepare};
 use crate::options::{Options, Step};
 use crate::patch::Base;
 use crate::quality::{ahead, integrates, look, mended, mistaken, strangers, stride};
-use crate::screen::{SAME, Score, UNIQUE, cosine};
-use crate::search::{State, scales};
+use crate::screen::{SAME, UNIQUE, cosine};
+use crate::search::{Round, State, scales};
 use crate::traces;
-use crate::verdict::finish;
+use crate::verdict::{Rejected, finish};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
 use ident::record::{Record, averaged};
@@ -129,15 +129,18 @@ pub fn diagnose(
     // acceptance looks at predictions: many starts scatter less than one free run, which may go over the top
     let gate = View { hold: options.hold, horizon: seen.horizon.or(Some(ahead(&current.prepared, &p0))) };
     let mut at_gate = figures(&current.prepared.model, &[], &current.fitted.mean(), &[], test, gate);
-    let mut rejected: Vec<(String, String)> = Vec::new();
-    let mut contradicted = false;
+    let mut rejected: Vec<Rejected> = Vec::new();
     let mut left_over;
+    let mut turn = 0;
     loop {
+        turn += 1;
         tell(&format!("screening {} candidates ..", effects.len()));
         let left: Vec<&Effect> = effects.iter().filter(|e| !current.has(e)).collect();
-        let round = current.screen(base, asked, &left, &tracks, options)?;
+        // what the test records could show is asked once
+        let asked_of: &[Track] = if current.accepted.is_empty() { &held } else { &[] };
+        let round = current.screen(base, asked, &left, &tracks, asked_of, options)?;
         if current.accepted.is_empty() {
-            answer.candidates = listed(&left, &round.scores);
+            answer.candidates = listed(&left, &round);
             answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
         }
         left_over = round.left_over.clone();
@@ -149,26 +152,31 @@ pub fn diagnose(
         // what is refused although it explains the records far better than another leaves that one no reason
         let mut refused = f64::NEG_INFINITY;
         for tried in chosen {
-            if tried.value < refused - FAR {
-                let why = "an effect that is refused explains the training records better".to_owned();
-                tell(&format!("  {}: {why}", left[tried.index].title()));
-                rejected.push((left[tried.index].title(), why));
-                continue;
-            }
-            let verdict = judge(&current.fitted, &current.prepared, &tried, test, &held, &at_gate, gate, options)?;
-            match verdict.refused {
-                None => {
-                    accepted = Some((tried, verdict));
+            let effect = left[tried.index];
+            let why = if tried.value < refused - FAR {
+                Refusal::Shadow
+            } else {
+                let bench = Bench {
+                    prepared: &current.prepared,
+                    fitted: &current.fitted,
+                    train: &tracks,
+                    held: &held,
+                    test,
+                    before: &at_gate,
+                    view: gate,
+                };
+                let judged = judge(&bench, &tried, options)?;
+                let Some(why) = judged.refused else {
+                    accepted = Some((tried, judged));
                     break;
-                }
-                Some(why) => {
-                    refused = refused.max(tried.value);
-                    tell(&format!("  {}: {why}", left[tried.index].title()));
-                    // five families in a hundred speak where nothing is missing
-                    contradicted |= round.scores[tried.index].p_family < 0.2 * options.family;
-                    rejected.push((left[tried.index].title(), why));
-                }
-            }
+                };
+                refused = refused.max(tried.value);
+                why
+            };
+            tell(&format!("  {}: {why}", effect.title()));
+            // five families in a hundred speak where nothing is missing
+            let significant = round.scores[tried.index].p_family < 0.2 * options.family && why != Refusal::Shadow;
+            rejected.push(Rejected { effect: effect.clone(), why, significant, turn });
         }
         let Some((tried, verdict)) = accepted else { break };
         tell(&format!("  accepted: {}", left[tried.index].title()));
@@ -187,7 +195,6 @@ pub fn diagnose(
         answer.after = figures(&tried.prepared.model, &tried.fitted.found.p, &tried.fitted.mean(), train, test, seen);
         at_gate = verdict.figures;
         current = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
-        contradicted = false;
         // what an earlier effect stood for may have been this one
         if let Some(drop) = current.superfluous().filter(|drop| drop + 1 < current.accepted.len()) {
             tell(&format!("  dropped again: {}", current.accepted[drop].effect.title()));
@@ -205,7 +212,7 @@ pub fn diagnose(
         let found = &current.fitted.found;
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.mean(), train, test, options.hold);
     }
-    finish(base, &mut answer, &current, &base_state_names, &rejected, left_over, contradicted, train)?;
+    finish(base, &mut answer, &current, &base_state_names, (&rejected, turn), left_over, train)?;
     answer.gap_shrink =
         shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
@@ -263,7 +270,8 @@ fn chosen(base: &Base, scales: &Scales, options: &Options<'_>) -> Result<Vec<Eff
 }
 
 /// The candidates of the first screening, with their classes.
-fn listed(left: &[&Effect], scores: &[Score]) -> Vec<Candidate> {
+fn listed(left: &[&Effect], round: &Round) -> Vec<Candidate> {
+    let scores = &round.scores;
     let mut classes: Vec<usize> = Vec::new();
     let mut class_of = vec![0; left.len()];
     let mut order: Vec<usize> = (0..left.len()).collect();
@@ -299,6 +307,7 @@ fn listed(left: &[&Effect], scores: &[Score]) -> Vec<Candidate> {
                     .zip(&s.minimal_detectable)
                     .map(|(p, m)| (p.name.clone(), *m, p.unit.clone()))
                     .collect(),
+                detectable_in_test: round.in_test.get(i).cloned().unwrap_or_default(),
                 class: class_of[i],
                 status: status.to_owned(),
             }

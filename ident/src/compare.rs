@@ -15,7 +15,7 @@ use sim::{Hold, Signals, SimError, Status, Trajectory, simulate};
 use std::fmt;
 
 /// Choices of a comparison.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct CompareOptions {
     /// How the rig stood at the first sample; `None`: as the record says.
     pub start: Option<Start>,
@@ -27,6 +27,15 @@ pub struct CompareOptions {
     pub simulation: sim::Options,
     /// Predict this many seconds ahead too, whether or not the free run is sensitive [s].
     pub horizon: Option<f64>,
+    /// Most starts of predictions along a record.
+    pub starts: usize,
+}
+
+impl Default for CompareOptions {
+    fn default() -> Self {
+        let simulation = sim::Options::default();
+        Self { start: None, initial: Vec::new(), hold: Hold::default(), simulation, horizon: None, starts: 400 }
+    }
 }
 
 /// Measured and simulated values of one output, and how well they agree.
@@ -160,7 +169,7 @@ pub fn compare(model: &dyn Model, p: &[f64], record: &Record, options: &CompareO
     }
     let trajectory = simulate(model, p, &initial, &signals, &record.t, &options.simulation)?;
     let horizon = options.horizon.or_else(|| sensible_horizon(model, p, record, &outputs, &signals, &trajectory));
-    let prediction = horizon.map(|h| prediction::predict(model, p, &record.t, &outputs, &signals, h, &options.simulation)).transpose()?;
+    let prediction = horizon.map(|h| prediction::predict(model, p, &record.t, &outputs, &signals, h, options)).transpose()?;
     let signals = outputs
         .into_iter()
         .enumerate()

@@ -320,6 +320,7 @@ fn document(found: &Diagnosis) -> Value {
         "moved": found.moved.iter().map(|m| json!({"name": m.name, "unit": m.unit, "before": m.before.0, "before_sd": m.before.1, "after": m.after.0, "after_sd": m.after.1})).collect::<Vec<_>>(),
         "candidates": found.candidates.iter().map(|c| json!({
             "effect": c.effect, "place": c.place, "shape": c.shape, "score": c.score, "p_value": c.p_value, "unique_fraction": c.unique_fraction,
+            "detectable_in_test": c.detectable_in_test,
             "minimal_detectable": c.minimal_detectable.iter().map(|(n, v, u)| json!({"name": n, "value": v, "unit": u})).collect::<Vec<_>>(),
             "class": c.class, "status": c.status,
         })).collect::<Vec<_>>(),

@@ -2,10 +2,10 @@
 //! because their own sensitivities carry any error of the initial state away.
 
 use super::initial::{Held, state_from};
-use super::is_angle;
 use super::series::{fit_percent, rmse, smoothed};
+use super::{CompareOptions, is_angle};
 use runtime::Model;
-use sim::{Options, Signals, SimError, Status, simulate};
+use sim::{Signals, SimError, Status, simulate};
 use std::f64::consts::PI;
 
 /// Figures of a prediction over `horizon` seconds.
@@ -34,8 +34,6 @@ pub struct PredictionFit {
     pub hold: Option<f64>,
 }
 
-/// Most starts along a record: more say the same.
-const STARTS: usize = 400;
 /// Half of the window from which a state is smoothed [s].
 pub(super) const WINDOW: f64 = 0.1;
 
@@ -54,7 +52,7 @@ pub(super) fn predict(
     outputs: &[Option<Vec<f64>>],
     signals: &Signals,
     horizon: f64,
-    options: &Options,
+    options: &CompareOptions,
 ) -> Result<Prediction, SimError> {
     let d = model.dimensions();
     let measured: Vec<(usize, &Vec<f64>)> = outputs.iter().enumerate().filter_map(|(i, y)| Some((i, y.as_ref()?))).collect();
@@ -68,7 +66,7 @@ pub(super) fn predict(
     if range.iter().any(|&k| inside(k)) {
         range.retain(|&k| inside(k));
     }
-    let stride = range.len().div_ceil(STARTS).max(1);
+    let stride = range.len().div_ceil(options.starts.max(1)).max(1);
     let mut held = Held::new(model, p);
     // y, its prediction, its value by holding the rate; the same for the rate
     let mut rows: Vec<[Vec<f64>; 6]> = measured.iter().map(|_| Default::default()).collect();
@@ -89,7 +87,7 @@ pub(super) fn predict(
         }
         starts += 1;
         let j = target(k);
-        let run = simulate(model, p, &x, signals, &[t[k], t[j]], options)?;
+        let run = simulate(model, p, &x, signals, &[t[k], t[j]], &options.simulation)?;
         if run.status != Status::Completed || model.rhs(t[j], run.state(1), &signals.at(t[j]), p, &mut dx).is_err() {
             failed += 1;
             continue;

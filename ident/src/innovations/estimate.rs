@@ -81,7 +81,7 @@ impl Problem<'_> {
     fn passes(&self, p: &[Vec<f64>], columns: &[Column<'_>], frozen: bool) -> Option<Vec<Pass>> {
         let each = in_parallel(self.tracks, |r, track| {
             let filtering = if frozen { Filtering::Frozen(&self.gains[r]) } else { Filtering::Riccati };
-            run(self.model, &p[r], track, &self.noise, columns, &filtering, &mut |_| {}).ok().flatten()
+            run(self.model, &p[r], &track.begun(self.model, &p[r]), &self.noise, columns, &filtering, &mut |_| {}).ok().flatten()
         });
         each.into_iter().collect()
     }
@@ -247,9 +247,7 @@ const TAIL: f64 = 3.0;
 /// # Errors
 /// As [`super::pass`].
 pub fn likelihood(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise) -> Result<Option<Vec<f64>>, FitError> {
-    let mut track = track.clone();
-    track.begin(model, p);
-    let Some(pass) = run(model, p, &track, noise, &[], &Filtering::Riccati, &mut |_| {})? else { return Ok(None) };
+    let Some(pass) = run(model, p, &track.begun(model, p), noise, &[], &Filtering::Riccati, &mut |_| {})? else { return Ok(None) };
     let mut by_sample = vec![0.0; track.times().len()];
     for (i, (&(k, _), z)) in pass.at.iter().zip(&pass.z).enumerate() {
         let loss = if z.abs() <= TAIL { 0.5 * z * z } else { TAIL * (z.abs() - 0.5 * TAIL) };

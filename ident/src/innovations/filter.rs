@@ -107,6 +107,71 @@ impl Track {
             *sd = if i < 2 * d.coordinates && self.data.start == Start::Free { 10.0 * room } else { room };
         }
         (self.initial, self.initial_sd) = (found.x, sd);
+        let late: Vec<(usize, usize, f64)> =
+            self.data.outputs.iter().map(|&o| (0, o, model.output_path(o, p).delay)).filter(|(_, _, delay)| *delay > 0.0).collect();
+        if !late.is_empty() {
+            let mut c = vec![0.0; d.outputs * d.states()];
+            let mut dhdp = vec![0.0; d.outputs * d.parameters];
+            model.output_jacobian(self.data.times[0], &self.initial, p, &mut c, &mut dhdp);
+            let on = self.gone_on(model, p, &c, 1, &late);
+            self.initial.iter_mut().zip(on).for_each(|(x, on)| *x += on);
+        }
+    }
+
+    /// How far the motion has gone while outputs were on their way, states x columns; for column, output and seconds.
+    fn gone_on(&self, model: &dyn Model, p: &[f64], c: &[f64], columns: usize, late: &[(usize, usize, f64)]) -> Vec<f64> {
+        let d = model.dimensions();
+        let n = d.states();
+        let mut on = vec![0.0; n * columns];
+        let t0 = self.data.times[0];
+        let mut rate = vec![0.0; n];
+        if model.rhs(t0, &self.initial, &self.inputs(model, p, t0), p, &mut rate).is_ok() {
+            for &(column, output, seconds) in late {
+                for state in (0..d.coordinates).filter(|state| c[output * n + state] != 0.0) {
+                    for state in [state, d.coordinates + state] {
+                        on[state * columns + column] += seconds * rate[state];
+                    }
+                }
+            }
+        }
+        on
+    }
+
+    /// The same, with the initial state that belongs to `p`.
+    #[must_use]
+    pub fn begun(&self, model: &dyn Model, p: &[f64]) -> Self {
+        let mut track = self.clone();
+        track.begin(model, p);
+        track
+    }
+
+    /// How the estimate of the initial state moves with parameters that outputs depend on and with delays of outputs, states x columns:
+    /// a sensor whose zero is off began elsewhere.
+    fn begins_by(&self, model: &dyn Model, p: &[f64], columns: &[Column<'_>], delayed: &[(usize, usize, f64)]) -> Vec<f64> {
+        let d = model.dimensions();
+        let (n, m) = (d.states(), columns.len());
+        let mut by = vec![0.0; n * m];
+        let (mut c, mut dhdp) = (vec![0.0; d.outputs * n], vec![0.0; d.outputs * d.parameters]);
+        let t0 = self.data.times[0];
+        model.output_jacobian(t0, &self.initial, p, &mut c, &mut dhdp);
+        let mut moved = p.to_vec();
+        for (column, entry) in columns.iter().enumerate() {
+            let Column::Parameter(i) = entry else { continue };
+            if self.data.outputs.iter().all(|o| dhdp[o * d.parameters + i] == 0.0) {
+                continue;
+            }
+            let size = 1e-5 * p[*i].abs().max(1e-2);
+            moved[*i] = p[*i] + size;
+            let after = self.begun(model, &moved).initial;
+            moved[*i] = p[*i];
+            let before = self.begun(model, &moved).initial;
+            for state in 0..n {
+                by[state * m + column] = (after[state] - before[state]) / size;
+            }
+        }
+        let on = self.gone_on(model, p, &c, m, delayed);
+        by.iter_mut().zip(on).for_each(|(by, on)| *by += on);
+        by
     }
 
     /// File of the record.
@@ -246,10 +311,7 @@ pub(crate) fn run(
     let (n, m) = (d.states(), columns.len());
     let order = n + noise.entries.len();
     // a track may come from a model with other states
-    let mut own = None;
-    if track.initial.len() != n {
-        own.insert(track.clone()).begin(model, p);
-    }
+    let own = (track.initial.len() != n).then(|| track.begun(model, p));
     let track = own.as_ref().unwrap_or(track);
     let segments = track.segments(model, p)?;
     let times = &track.data.times;
@@ -287,6 +349,10 @@ pub(crate) fn run(
             ),
             _ => {}
         }
+    }
+    if m > 0 {
+        let by = track.begins_by(model, p, columns, &delayed);
+        carried.sensitivity[..n * m].copy_from_slice(&by);
     }
     let late = !delayed.is_empty() || measured.iter().any(|values| values.iter().any(|v| v.1 != 0.0));
     let (mut middle, mut rate_middle) = (vec![0.0; n], vec![0.0; n]);
