@@ -16,7 +16,7 @@ use std::fmt;
 pub struct Tried {
     /// Its number among the candidates that are left.
     pub index: usize,
-    /// Log-likelihood less its parameters.
+    /// Log-likelihood less what its parameters cost.
     pub value: f64,
     /// Effects of this model.
     pub included: Vec<Included>,

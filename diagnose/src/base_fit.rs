@@ -138,7 +138,7 @@ pub fn refit(
     let effort = if thorough {
         EstimateOptions { rounds: 3, ..EstimateOptions::default() }
     } else {
-        EstimateOptions { rounds: 1, finest: f64::INFINITY, evaluations: 10, ..EstimateOptions::default() }
+        EstimateOptions { rounds: 0, evaluations: 10, ..EstimateOptions::default() }
     };
     let mut own = tracks.to_vec();
     let found = estimate(&prepared.model, &prepared.specs, &mut own, &start, noise, effort)?;

@@ -21,7 +21,7 @@ pub struct Effect {
     pub id: String,
     /// Where: a coordinate, input, output or body by its name; `f_1->eps` for a pair.
     pub place: String,
-    /// Its parameters in the patched rig, all zero where the effect is absent.
+    /// Its parameters in the patched rig: coefficients, all zero where the effect is absent, then numbers of its shape.
     pub parameters: Vec<EffectParameter>,
     /// What is fixed in its shape, in words: `width 0.01 rad/s`.
     pub shape: Option<String>,
@@ -44,6 +44,18 @@ pub struct EffectParameter {
     pub positive: bool,
     /// What it is.
     pub doc: String,
+    /// A number of the effect's shape, which says nothing where the coefficients are zero: where screening holds it, and within what it
+    /// is fitted once the effect is there.
+    pub shape: Option<ShapeRange>,
+}
+
+/// Where a number of a shape is looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShapeRange {
+    /// Its value in the screening.
+    pub at: f64,
+    /// Bounds of the fit.
+    pub within: (f64, f64),
 }
 
 /// How a patch changes the text.
@@ -116,6 +128,19 @@ impl Effect {
             Some(shape) => format!("{} on {} ({shape})", self.id, self.place),
             None => format!("{} on {}", self.id, self.place),
         }
+    }
+
+    /// How many of its parameters are coefficients; they come first.
+    #[must_use]
+    pub fn coefficients(&self) -> usize {
+        self.parameters.iter().filter(|p| p.shape.is_none()).count()
+    }
+
+    /// Values of all parameters with these coefficients, its shape as the screening has it.
+    #[must_use]
+    pub fn with(&self, coefficients: &[f64]) -> Vec<f64> {
+        let of = |(i, p): (usize, &EffectParameter)| p.shape.map_or(coefficients.get(i).copied().unwrap_or(0.0), |s| s.at);
+        self.parameters.iter().enumerate().map(of).collect()
     }
 }
 
@@ -215,7 +240,12 @@ impl Names {
 
 /// A parameter of an effect.
 pub(crate) fn parameter(name: &str, unit: String, positive: bool, doc: &str) -> EffectParameter {
-    EffectParameter { name: name.to_owned(), unit, positive, doc: doc.to_owned() }
+    EffectParameter { name: name.to_owned(), unit, positive, doc: doc.to_owned(), shape: None }
+}
+
+/// A number of an effect's shape.
+pub(crate) fn shape(name: &str, unit: String, at: f64, within: (f64, f64), doc: &str) -> EffectParameter {
+    EffectParameter { shape: Some(ShapeRange { at, within }), ..parameter(name, unit, false, doc) }
 }
 
 /// A number as the language reads it, with few digits.

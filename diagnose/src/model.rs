@@ -18,7 +18,7 @@ pub struct Included {
     pub per_record: bool,
     /// Values to start from.
     pub start: Vec<f64>,
-    /// Parameters that stay at zero; none where empty.
+    /// Coefficients that stay at zero; none where empty.
     pub held: Vec<bool>,
 }
 
@@ -36,8 +36,10 @@ pub struct Prepared {
     pub coordinates: Vec<usize>,
     /// Dry friction on these.
     pub dry: Vec<Dry>,
-    /// For each included effect the indices of its parameters.
+    /// For each included effect the indices of its coefficients.
     pub of_effect: Vec<Vec<usize>>,
+    /// For each included effect the indices of the numbers of its shape.
+    pub of_shape: Vec<Vec<usize>>,
 }
 
 /// Composes, checks and derives. `asked` are the base rig's parameters as the request has them. The first `accepted` effects are free,
@@ -53,9 +55,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
         .filter(|(k, e)| *k < accepted || e.effect.signature == Signature::Parameters)
         .map(|(k, e)| Written {
             effect: &e.effect,
-            values: (0..e.effect.parameters.len())
-                .map(|i| (if k < accepted { e.start.get(i).copied().unwrap_or(0.0) } else { 0.0 }, 0.0))
-                .collect(),
+            values: values(e, k < accepted).into_iter().map(|v| (v, 0.0)).collect(),
             evidence: None,
             per_record: e.per_record,
             screened: k >= accepted,
@@ -79,25 +79,32 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
             entries.push(i);
         }
     }
-    let mut of_effect = Vec::new();
+    let (mut of_effect, mut of_shape) = (Vec::new(), Vec::new());
     for (k, e) in effects.iter().enumerate() {
-        let mut own = Vec::new();
+        let (mut own, mut shape) = (Vec::new(), Vec::new());
         for (j, p) in e.effect.parameters.iter().enumerate() {
             let Some(i) = index(&specs, &p.name) else { continue };
             let real = k < accepted;
             let held = e.held.get(j).copied().unwrap_or(false);
             specs[i].free = real && !held;
             specs[i].prior_sd = None;
-            specs[i].value = if real && !held { e.start.get(j).copied().unwrap_or(0.0) } else { 0.0 };
+            specs[i].value = if held { 0.0 } else { values(e, real)[j] };
             specs[i].per_record = e.per_record;
-            specs[i].bounds = p.positive.then_some((0.0, f64::INFINITY));
-            own.push(i);
+            specs[i].bounds = p.shape.map(|s| s.within).or(p.positive.then_some((0.0, f64::INFINITY)));
+            if p.shape.is_some() { &mut shape } else { &mut own }.push(i);
         }
         of_effect.push(own);
+        of_shape.push(shape);
     }
     let coordinates: Vec<usize> = pushed.into_iter().map(|force| force.coordinate).collect();
     let dry = dry(&patched.rig, &coordinates);
-    Ok(Prepared { base: patched, model: InProcess::new(equations), specs, entries, coordinates, dry, of_effect })
+    Ok(Prepared { base: patched, model: InProcess::new(equations), specs, entries, coordinates, dry, of_effect, of_shape })
+}
+
+/// Values of an effect's parameters: as they start, or null.
+fn values(e: &Included, real: bool) -> Vec<f64> {
+    let null = e.effect.with(&[]);
+    if real { null.iter().enumerate().map(|(i, null)| e.start.get(i).copied().unwrap_or(*null)).collect() } else { null }
 }
 
 impl Prepared {

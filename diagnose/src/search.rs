@@ -20,6 +20,17 @@ const SEPARATES: f64 = 4.6;
 /// Classes whose first member is refitted.
 const CLASSES: usize = 8;
 
+/// What is asked.
+#[derive(Clone, Copy)]
+pub(crate) struct Question<'a> {
+    /// The rig.
+    pub base: &'a Base,
+    /// Its parameters, as the request has them.
+    pub asked: &'a [ParameterSpec],
+    /// Choices.
+    pub options: &'a Options<'a>,
+}
+
 /// Where the search stands.
 pub(crate) struct State {
     pub prepared: Prepared,
@@ -52,23 +63,11 @@ impl State {
             .collect()
     }
 
-    pub fn screen(
-        &self,
-        base: &Base,
-        asked: &[ParameterSpec],
-        left: &[&Effect],
-        tracks: &[Track],
-        held: &[Track],
-        options: &Options<'_>,
-    ) -> Result<Round, DiagnoseError> {
+    pub fn screen(&self, ask: &Question<'_>, left: &[&Effect], tracks: &[Track], held: &[Track]) -> Result<Round, DiagnoseError> {
+        let Question { base, asked, options } = *ask;
         // one model with all candidates at their null values, beside what was accepted
         let mut included = self.accepted.clone();
-        included.extend(left.iter().map(|e| Included {
-            held: Vec::new(),
-            effect: (*e).clone(),
-            per_record: false,
-            start: vec![0.0; e.parameters.len()],
-        }));
+        included.extend(left.iter().map(|e| include(e, &[], Vec::new(), tracks)));
         let accepted = self.accepted.len();
         let texts = prepare(base, asked, &included, accepted)?;
         let carried = |p: &[f64]| carry(&self.prepared, p, &texts);
@@ -111,18 +110,9 @@ impl State {
         scales(&self.prepared, tracks, &self.fitted)
     }
 
-    /// The significant candidates that explain most, refitted; the best first.
-    #[allow(clippy::too_many_arguments)]
-    pub fn try_best(
-        &self,
-        base: &Base,
-        asked: &[ParameterSpec],
-        left: &[&Effect],
-        round: &Round,
-        tracks: &mut [Track],
-        held: &[Track],
-        options: &Options<'_>,
-    ) -> Result<Vec<Tried>, DiagnoseError> {
+    /// The significant candidates that explain most, refitted in a hurry; the best first.
+    pub fn try_best(&self, ask: &Question<'_>, left: &[&Effect], round: &Round, tracks: &mut [Track]) -> Vec<Tried> {
+        let options = ask.options;
         let scores = &round.scores[..left.len()];
         let speaks = |s: &Score| {
             let p = if options.method.family { s.p_family } else { s.p_single };
@@ -130,14 +120,14 @@ impl State {
         };
         let mut order: Vec<usize> = (0..left.len()).filter(|&i| speaks(&scores[i]) && !wrong_sign(left[i], &scores[i])).collect();
         // by what is gained over what is spent
-        let worth = |s: &Score| s.statistic - 2.0 * s.degrees as f64;
+        let samples: usize = tracks.iter().map(|t| t.times().len()).sum();
+        let worth = |s: &Score| s.statistic - 2.0 * spent(s.degrees, samples);
         order.sort_by(|&a, &b| worth(&scores[b]).total_cmp(&worth(&scores[a])));
         // dry friction that holds a rig still does not show at its null value: tried from a finite one
         let level = self.fitted.found.noise.sd.clone();
         let dry: Vec<usize> = (0..left.len()).filter(|&i| left[i].id == "coulomb" && !order.contains(&i)).collect();
-        // the class of the best, then what else is significant and different
-        let alike = |a: usize, b: usize| cosine(&scores[a], &scores[b]).abs() > SAME;
         // the class of the best, and the first of every other class
+        let alike = |a: usize, b: usize| cosine(&scores[a], &scores[b]).abs() > SAME;
         let mut few: Vec<usize> = order.iter().copied().filter(|&i| order.first().is_some_and(|&first| alike(i, first))).take(3).collect();
         let mut leaders: Vec<usize> = order.first().copied().into_iter().collect();
         for &i in &order {
@@ -149,36 +139,23 @@ impl State {
         few.extend(&dry);
         let mut tried: Vec<Tried> = Vec::new();
         for index in few {
-            let mut start = scores[index].step.iter().map(|s| s.0).collect::<Vec<_>>();
             let finite = dry.contains(&index);
-            if finite {
-                let entry = self.prepared.coordinates.iter().position(|&c| base.rig.coordinates[c].name == left[index].place);
-                start = vec![entry.map_or(0.0, |k| level[k])];
-            }
+            let step: Vec<f64> = if finite {
+                let entry = self.prepared.coordinates.iter().position(|&c| ask.base.rig.coordinates[c].name == left[index].place);
+                vec![entry.map_or(0.0, |k| level[k])]
+            } else {
+                scores[index].step.iter().map(|s| s.0).collect()
+            };
             let mut included = self.accepted.clone();
-            included.push(Included {
-                held: untold(&scores[index]),
-                effect: left[index].clone(),
-                per_record: false,
-                start: begin(left[index], &start, tracks),
-            });
+            included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
-            let Ok((prepared, fitted)) = refit(base, asked, &included, &self.fitted, tracks, false) else { continue };
-            let degrees = left[index].parameters.len();
+            let Some(found) = self.hurried(ask, included, index, &self.fitted, tracks) else { continue };
             // judged by its likelihood ratio, as one of the family
-            let ratio = 2.0 * (fitted.found.log_likelihood - self.fitted.found.log_likelihood);
-            if finite && beyond(ratio, degrees) * left.len() as f64 > options.family {
+            let ratio = 2.0 * (found.fitted.found.log_likelihood - self.fitted.found.log_likelihood);
+            if finite && beyond(ratio, scores[index].degrees.max(1)) * left.len() as f64 > options.family {
                 continue;
             }
-            tried.push(Tried {
-                index,
-                value: fitted.found.log_likelihood - degrees as f64,
-                included,
-                prepared,
-                fitted,
-                equivalent: Vec::new(),
-                per_record: false,
-            });
+            tried.push(found);
         }
         tried.sort_by(|a, b| b.value.total_cmp(&a.value));
         // members of the best one's class that fit about as well
@@ -194,44 +171,38 @@ impl State {
                 .filter(|&i| {
                     let same_name = left[i].id == left[t.index].id && left[i].place == left[t.index].place;
                     // a shape with more parameters that has this one in it says nothing else
-                    let nested = left[i].parameters.len() > left[t.index].parameters.len();
+                    let nested = scores[i].degrees > scores[t.index].degrees;
                     let own = scores[i].unique_fraction >= UNIQUE;
                     !same_name && !nested && own && alike(i, t.index) && !wrong_sign(left[i], &scores[i]) && fits(i)
                 })
                 .collect();
             t.equivalent.dedup_by(|a, b| left[*a].id == left[*b].id && left[*a].place == left[*b].place);
         }
-        // one of each class goes on, refitted to the end
-        let mut kept: Vec<Tried> = Vec::new();
-        for t in tried {
-            if !kept.iter().any(|k| alike(k.index, t.index)) {
-                kept.push(t);
-            }
-        }
-        kept.truncate(3);
-        for t in &mut kept {
-            if let Ok((prepared, fitted)) = refit(base, asked, &t.included, &t.fitted, tracks, true) {
-                (t.prepared, t.fitted) = (prepared, fitted);
-            }
-            self.separate(base, asked, left, scores, t, tracks, held)?;
-            t.value = t.fitted.found.log_likelihood - left[t.index].parameters.len() as f64;
-        }
-        kept.sort_by(|a, b| b.value.total_cmp(&a.value));
-        Ok(kept)
+        tried
     }
 
-    /// Drops from the class of `t` what its own noise, or the other records, can tell from it; puts the best in front.
-    #[allow(clippy::too_many_arguments)]
-    fn separate(
+    /// A refit in which the noise stays as it is.
+    fn hurried(&self, ask: &Question<'_>, included: Vec<Included>, index: usize, from: &Fitted, tracks: &mut [Track]) -> Option<Tried> {
+        let (prepared, fitted) = refit(ask.base, ask.asked, &included, from, tracks, false).ok()?;
+        let last = prepared.of_effect.last().into_iter().chain(prepared.of_shape.last()).flatten();
+        let degrees = last.filter(|&&i| prepared.specs[i].free).count();
+        let value = fitted.found.log_likelihood - spent(degrees, fitted.found.samples);
+        Some(Tried { index, value, included, prepared, fitted, equivalent: Vec::new(), per_record: false })
+    }
+
+    /// Refits `t` to the end; drops from its class what its own noise, or the other records, can tell
+    /// from it; puts the best in front.
+    pub fn work_out(
         &self,
-        base: &Base,
-        asked: &[ParameterSpec],
+        ask: &Question<'_>,
         left: &[&Effect],
-        scores: &[Score],
+        round: &Round,
         t: &mut Tried,
         tracks: &mut [Track],
         held: &[Track],
     ) -> Result<(), DiagnoseError> {
+        let scores = &round.scores[..left.len()];
+        thorough(ask, t, tracks);
         let total = |tried: &Tried, noise: &Noise| -> Result<f64, DiagnoseError> {
             let likelihoods = likelihoods(&tried.prepared, &tried.fitted, noise, held)?;
             let of = |l: &Option<Vec<f64>>| l.as_ref().map_or(f64::NEG_INFINITY, |l| l.iter().sum());
@@ -241,21 +212,13 @@ impl State {
         for i in std::mem::take(&mut t.equivalent) {
             let step: Vec<f64> = scores[i].step.iter().map(|s| s.0).collect();
             let mut included = self.accepted.clone();
-            included.push(Included {
-                held: untold(&scores[i]),
-                effect: left[i].clone(),
-                per_record: false,
-                start: begin(left[i], &step, tracks),
-            });
-            let Ok((prepared, fitted)) = refit(base, asked, &included, &t.fitted, tracks, false) else { continue };
-            let rival = Tried { index: i, value: 0.0, included, prepared, fitted, equivalent: Vec::new(), per_record: false };
+            included.push(include(left[i], &step, untold(&scores[i]), tracks));
+            let Some(mut rival) = self.hurried(ask, included, i, &t.fitted, tracks) else { continue };
             let worth = total(&rival, &t.fitted.found.noise)?;
             let best = rivals[0].1;
             rivals.push((i, worth));
-            if worth > best + SEPARATES
-                && let Ok((prepared, fitted)) = refit(base, asked, &rival.included, &rival.fitted, tracks, true)
-            {
-                *t = Tried { prepared, fitted, ..rival };
+            if worth > best + SEPARATES && thorough(ask, &mut rival, tracks) {
+                *t = rival;
                 rivals.swap_remove(0);
                 rivals.insert(0, (i, total(t, &t.fitted.found.noise)?));
             }
@@ -275,6 +238,23 @@ impl State {
     }
 }
 
+/// What parameters cost in log-likelihood (Schwarz, 1978).
+fn spent(degrees: usize, samples: usize) -> f64 {
+    0.5 * degrees as f64 * (samples.max(1) as f64).ln()
+}
+
+/// Refits to the end.
+fn thorough(ask: &Question<'_>, t: &mut Tried, tracks: &mut [Track]) -> bool {
+    let Ok((prepared, fitted)) = refit(ask.base, ask.asked, &t.included, &t.fitted, tracks, true) else { return false };
+    (t.prepared, t.fitted) = (prepared, fitted);
+    true
+}
+
+/// An effect with coefficients to start from.
+fn include(effect: &Effect, step: &[f64], held: Vec<bool>, tracks: &[Track]) -> Included {
+    Included { held, effect: effect.clone(), per_record: false, start: begin(effect, step, tracks) }
+}
+
 /// Parameters of an effect that the fitted ones have already: they stay at zero.
 fn untold(score: &Score) -> Vec<bool> {
     score.minimal_detectable.iter().map(|m| !m.is_finite()).collect()
@@ -283,10 +263,11 @@ fn untold(score: &Score) -> Vec<bool> {
 /// Starting values: a delay or lag of zero never leaves it.
 fn begin(effect: &Effect, step: &[f64], tracks: &[Track]) -> Vec<f64> {
     let period = tracks.first().map_or(0.01, |t| (t.times()[t.times().len() - 1] - t.times()[0]) / (t.times().len() - 1) as f64);
-    match effect.signature {
+    let step: Vec<f64> = match effect.signature {
         Signature::InputDelay(_) | Signature::OutputDelay(_) => step.iter().map(|s| s.max(0.02 * period)).collect(),
         _ => effect.parameters.iter().zip(step).map(|(p, s)| if p.positive { s.max(0.0) } else { *s }).collect(),
-    }
+    };
+    effect.with(&step)
 }
 
 /// A one-sided effect that would be on the other side.
@@ -301,7 +282,7 @@ fn wrong_sign(effect: &Effect, score: &Score) -> bool {
 /// The screening model without the assumption that `effect` drops.
 fn towards(base: &Base, asked: &[ParameterSpec], included: &[Included], accepted: usize, effect: &Effect) -> Result<Prepared, PatchError> {
     let mut all = included.to_vec();
-    all.insert(accepted, Included { held: Vec::new(), effect: effect.clone(), per_record: false, start: Vec::new() });
+    all.insert(accepted, include(effect, &[], Vec::new(), &[]));
     prepare(base, asked, &all, accepted + 1)
 }
 

@@ -34,7 +34,8 @@ pub(crate) fn finish(
 ) -> Result<(), DiagnoseError> {
     let specs = &state.prepared.specs;
     for (k, finding) in answer.findings.iter_mut().enumerate() {
-        let own = state.prepared.of_effect.get(k).cloned().unwrap_or_default();
+        let all = [&state.prepared.of_effect, &state.prepared.of_shape];
+        let own: Vec<usize> = all.iter().filter_map(|of| of.get(k)).flatten().copied().collect();
         finding.parameters = state
             .fitted
             .found

@@ -14,7 +14,7 @@ use crate::options::{Options, Step};
 use crate::patch::Base;
 use crate::quality::{ahead, integrates, look, mended, mistaken, strangers, stride};
 use crate::screen::{SAME, UNIQUE, cosine};
-use crate::search::{Round, State, scales};
+use crate::search::{Question, Round, State, scales};
 use crate::traces;
 use crate::verdict::{Rejected, finish};
 use ident::fit::ParameterSpec;
@@ -26,6 +26,9 @@ use std::time::Instant;
 
 /// Log-likelihood by which a refused effect must be ahead of another for that one to be its shadow.
 const FAR: f64 = 9.2;
+
+/// Candidates that are worked out and judged in one turn.
+const MOST_JUDGED: usize = 5;
 
 /// Finds what a rig's text lacks. `asked` are its parameters as the request has them.
 ///
@@ -130,6 +133,7 @@ pub fn diagnose(
     let gate = View { hold: options.hold, horizon: seen.horizon.or(Some(ahead(&current.prepared, &p0))) };
     let mut at_gate = figures(&current.prepared.model, &[], &current.fitted.mean(), &[], test, gate);
     let mut rejected: Vec<Rejected> = Vec::new();
+    let ask = Question { base, asked, options };
     let mut left_over;
     let mut turn = 0;
     loop {
@@ -138,7 +142,7 @@ pub fn diagnose(
         let left: Vec<&Effect> = effects.iter().filter(|e| !current.has(e)).collect();
         // what the test records could show is asked once
         let asked_of: &[Track] = if current.accepted.is_empty() { &held } else { &[] };
-        let round = current.screen(base, asked, &left, &tracks, asked_of, options)?;
+        let round = current.screen(&ask, &left, &tracks, asked_of)?;
         if current.accepted.is_empty() {
             answer.candidates = listed(&left, &round);
             answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
@@ -147,15 +151,20 @@ pub fn diagnose(
         if options.until == Step::Screen || current.accepted.len() >= options.most_effects {
             break;
         }
-        let chosen = current.try_best(base, asked, &left, &round, &mut tracks, &held, options)?;
+        let chosen = current.try_best(&ask, &left, &round, &mut tracks);
         let mut accepted = None;
         // what is refused although it explains the records far better than another leaves that one no reason
         let mut refused = f64::NEG_INFINITY;
-        for tried in chosen {
-            let effect = left[tried.index];
-            let why = if tried.value < refused - FAR {
+        let mut judged = 0;
+        for mut tried in chosen {
+            let (first, value) = (left[tried.index], tried.value);
+            let why = if value < refused - FAR {
                 Refusal::Shadow
+            } else if judged == MOST_JUDGED {
+                break;
             } else {
+                judged += 1;
+                current.work_out(&ask, &left, &round, &mut tried, &mut tracks, &held)?;
                 let bench = Bench {
                     prepared: &current.prepared,
                     fitted: &current.fitted,
@@ -165,14 +174,15 @@ pub fn diagnose(
                     before: &at_gate,
                     view: gate,
                 };
-                let judged = judge(&bench, &tried, options)?;
-                let Some(why) = judged.refused else {
-                    accepted = Some((tried, judged));
+                let verdict = judge(&bench, &tried, options)?;
+                let Some(why) = verdict.refused else {
+                    accepted = Some((tried, verdict));
                     break;
                 };
-                refused = refused.max(tried.value);
+                refused = refused.max(value);
                 why
             };
+            let effect = if why == Refusal::Shadow { first } else { left[tried.index] };
             tell(&format!("  {}: {why}", effect.title()));
             // five families in a hundred speak where nothing is missing
             let significant = round.scores[tried.index].p_family < 0.2 * options.family && why != Refusal::Shadow;

@@ -72,7 +72,7 @@ fn absent_effects_leave_the_rig_as_it_was() {
             }
             let lag = matches!(&effect.edit, Edit::Path { entry: "lag", .. });
             let value = if lag { 1e-3 } else { 0.0 };
-            let with = model(&patched(&base, &effect, &vec![value; effect.parameters.len()]));
+            let with = model(&patched(&base, &effect, &effect.with(&vec![value; effect.parameters.len()])));
             let found = behaviour(&with, &plain, states);
             for (a, b) in found.iter().zip(&expected) {
                 assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{name}, {}: {a} instead of {b}", effect.title());

@@ -1,7 +1,7 @@
 //! Effects on the way from a command to what it moves.
 
 use super::unit::{Text, of_rate, of_row};
-use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, parameter, rounded};
+use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, parameter, rounded, shape};
 use model_dsl::rig::Rig;
 
 pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut Vec<Effect>) {
@@ -65,16 +65,22 @@ fn maps(rig: &Rig, scales: &Scales, j: usize, names: &mut Names, out: &mut Vec<E
             out.push(dead);
         }
         let limit = rounded(0.75 * largest);
-        let name = names.free(&format!("s_{u}"));
-        let p = vec![parameter(&name, one.text(), true, "share that is lost beyond the limit")];
-        let over = format!("- {name} * ({{u}} - saturate({{u}}, -{limit} [{0}], {limit} [{0}]))", unit.text());
+        let (name, edge) = (names.free(&format!("s_{u}")), names.free(&format!("u_max_{u}")));
+        let p = vec![
+            parameter(&name, one.text(), true, "share that is lost beyond the limit"),
+            shape(&edge, unit.text(), limit, (0.2 * largest, largest), "where it begins"),
+        ];
+        let over = format!("- {name} * ({{u}} - saturate({{u}}, -{edge}, {edge}))");
         out.push(map(rig, j, "actuator_saturation", p, Some(format!("beyond {limit} {}", unit.text())), None, Some(over)));
     }
     if spread > 0.0 || largest > 0.0 {
         let time = rounded((0.05 * scales.duration).clamp(0.2, 5.0));
-        let name = names.free(&format!("k_t_{u}"));
-        let p = vec![parameter(&name, one.text(), false, "more gain at the start")];
-        let factor = Some(format!("(1 + {name} * exp(-t / {time} s))"));
+        let (name, constant) = (names.free(&format!("k_t_{u}")), names.free(&format!("T_t_{u}")));
+        let p = vec![
+            parameter(&name, one.text(), false, "more gain at the start"),
+            shape(&constant, "s".to_owned(), time, (0.2 * time, 5.0 * time), "time over which it is gone"),
+        ];
+        let factor = Some(format!("(1 + {name} * exp(-t / {constant}))"));
         out.push(map(rig, j, "start_transient", p, Some(format!("over {time} s")), factor, None));
     }
 }

@@ -1,7 +1,7 @@
 //! Effects in a joint: friction, springs, stops, torques that are constant or turn with an angle, products of rates.
 
 use super::unit::{is_angle, of_coordinate, of_rate, of_row};
-use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, parameter, rounded};
+use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, parameter, rounded, shape};
 use model_dsl::rig::{Expr, Rig, Symbol};
 
 /// Periods per turn that are tried.
@@ -56,13 +56,14 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
             out.push(add("coulomb", q, p, Some(format!("width {width} {rate_unit}")), statement));
         }
         for (k, share) in [0.1, 0.3].into_iter().enumerate() {
-            let (speed, width) = (rounded(share * typical), rounded(0.2 * share * typical));
-            let name = names.free(&format!("F_s_{q}"));
-            let p = vec![parameter(&name, row.text(), true, "static friction beyond Coulomb friction")];
-            let statement = format!(
-                "torque stribeck_{q}{} on {q}: -{name} * exp(-({q}.dot / {speed} [{rate_unit}])^2) * tanh({q}.dot / {width} [{rate_unit}]);",
-                tail(k)
-            );
+            let speed = rounded(share * typical);
+            let (name, v_s) = (names.free(&format!("F_s_{q}")), names.free(&format!("v_s_{q}")));
+            let p = vec![
+                parameter(&name, row.text(), true, "static friction beyond Coulomb friction"),
+                shape(&v_s, rate_unit.clone(), speed, (0.2 * speed, 4.0 * speed), "speed at which it is gone"),
+            ];
+            let statement =
+                format!("torque stribeck_{q}{} on {q}: -{name} * exp(-({q}.dot / {v_s})^2) * tanh({q}.dot / (0.2 * {v_s}));", tail(k));
             out.push(add("stribeck", q, p, Some(format!("speed {speed} {rate_unit}")), statement));
         }
     }
@@ -97,16 +98,16 @@ fn position(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
         for (k, share) in [0.15, 0.03].into_iter().enumerate() {
             let (low, high) = (rounded(lo + share * (hi - lo)), rounded(hi - share * (hi - lo)));
             let (below, above) = (names.free(&format!("k_lo_{q}")), names.free(&format!("k_hi_{q}")));
+            let (from, to) = (names.free(&format!("lo_{q}")), names.free(&format!("hi_{q}")));
             let stiffness = row.by(&unit, -1).text();
+            let third = (hi - lo) / 3.0;
             let p = vec![
                 parameter(&below, stiffness.clone(), true, "stiffness of the lower stop"),
                 parameter(&above, stiffness, true, "stiffness of the upper stop"),
+                shape(&from, unit_text.clone(), low, (lo, lo + third), "where the lower stop begins"),
+                shape(&to, unit_text.clone(), high, (hi - third, hi), "where the upper stop begins"),
             ];
-            let statement = format!(
-                "torque stop_{q}{} on {q}: {below} * max({low} [{u}] - {q}, 0) - {above} * max({q} - {high} [{u}], 0);",
-                tail(k),
-                u = unit_text,
-            );
+            let statement = format!("torque stop_{q}{} on {q}: {below} * max({from} - {q}, 0) - {above} * max({q} - {to}, 0);", tail(k));
             out.push(add("hard_stop", q, p, Some(format!("from {low} and {high} {unit_text}")), statement));
         }
     }

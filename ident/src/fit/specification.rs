@@ -2,7 +2,7 @@
 
 use super::error::FitError;
 use model_dsl::nearest;
-use model_dsl::rig::Rig;
+use model_dsl::rig::{Expr, Rig, Symbol};
 
 /// One parameter as a fit treats it, in the order of the model's p. Values are SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,14 +29,16 @@ impl ParameterSpec {
     /// All parameters of a rig, as the rig says.
     #[must_use]
     pub fn of_rig(rig: &Rig) -> Vec<Self> {
+        let positive = masses(rig);
         rig.parameters
             .iter()
-            .map(|p| Self {
+            .enumerate()
+            .map(|(i, p)| Self {
                 name: p.name.clone(),
                 value: p.value,
                 free: !p.fixed && !p.constant,
                 constant: p.constant,
-                bounds: p.bounds,
+                bounds: p.bounds.or_else(|| (positive.contains(&i) && p.value >= 0.0).then_some((0.0, f64::INFINITY))),
                 prior_sd: p.prior_sd,
                 prior_mean: p.value,
                 per_record: p.per_record,
@@ -63,6 +65,12 @@ impl ParameterSpec {
             })
             .collect()
     }
+}
+
+/// Parameters that are a body's mass or a moment of inertia: they cannot be negative.
+fn masses(rig: &Rig) -> Vec<usize> {
+    let alone = |e: &Expr| if let Expr::Symbol(Symbol::Parameter(i)) = e { Some(*i) } else { None };
+    rig.bodies.iter().flat_map(|b| std::iter::once(&b.mass).chain(&b.inertia[..3]).filter_map(alone)).collect()
 }
 
 /// Applies a request: where `free` is given, these are free and no others, whatever the rig says; those of `fix` are fixed.

@@ -40,7 +40,7 @@ pub struct Estimated {
 /// How much work is spent.
 #[derive(Clone, Copy, Debug)]
 pub struct EstimateOptions {
-    /// Rounds of noise and parameters.
+    /// Rounds of noise and parameters; none: parameters alone, once, with the noise as it is.
     pub rounds: usize,
     /// Finest step of the noise's logarithms.
     pub finest: f64,
@@ -169,7 +169,9 @@ pub fn estimate(
     let mut value = f64::NEG_INFINITY;
     for round in 0..options.rounds.max(1) {
         let finest = if round == 0 { 0.7 } else { options.finest };
-        noise = likeliest(model, &p, tracks, &noise, finest, options.blur).ok_or_else(|| nowhere(tracks))?;
+        if options.rounds > 0 {
+            noise = likeliest(model, &p, tracks, &noise, finest, options.blur).ok_or_else(|| nowhere(tracks))?;
+        }
         let mut problem =
             Problem { model, tracks, specs, noise: noise.clone(), gains: Vec::new(), base: p.clone(), unknowns: unknowns.clone() };
         let passes = problem.passes(&p, &[], false).ok_or_else(|| nowhere(tracks))?;
