@@ -1,15 +1,13 @@
 //! Whether an effect is accepted: it must help on records that it was not found on, and say the same in all of them.
 
-use crate::answer::Figures;
 use crate::base_fit::Fitted;
 use crate::chance::beyond;
 use crate::error::DiagnoseError;
-use crate::figures::{View, figures, shrink};
+use crate::figures::{NONE, predictions};
 use crate::model::{Included, Prepared};
 use crate::options::Options;
 use crate::shown::{Share, Way, share};
-use ident::innovations::Track;
-use ident::record::Record;
+use ident::innovations::{Ahead, Track};
 use std::fmt;
 
 /// A refitted candidate.
@@ -36,8 +34,8 @@ pub struct Judged {
     pub refused: Option<Refusal>,
     /// Gain on the test records [nats/sample], half width of its 95 % interval.
     pub gain: (f64, f64),
-    /// Figures of the test records with the effect.
-    pub figures: Figures,
+    /// Predictions of each test record with the effect.
+    pub predictions: Vec<Vec<Ahead>>,
 }
 
 /// Why an effect is refused.
@@ -52,9 +50,9 @@ pub enum Refusal {
         /// Share of the effect that each record shows.
         shares: Vec<(String, Share)>,
     },
-    /// The test records could not show it, were it there as it was found.
+    /// The test records show too little to say: neither that it is there as it was found, nor that it is not.
     Untold(Option<Share>),
-    /// The test records could show it and do not.
+    /// The test records show less of it.
     NoGain(Share),
     /// It closes too little of the gap on the test records.
     Small(f64),
@@ -75,7 +73,7 @@ impl fmt::Display for Refusal {
                 let list: Vec<String> = shares.iter().map(|(name, s)| format!("{} in {name}", share(s))).collect();
                 write!(f, "records contradict each other about its size (p = {p:.1e}; shares {})", list.join(", "))
             }
-            Self::Untold(Some(s)) => write!(f, "the test records cannot show it: they see {} of it", share(s)),
+            Self::Untold(Some(s)) => write!(f, "the test records cannot confirm it: they show {} of it", share(s)),
             Self::Untold(None) => write!(f, "the test records do not exercise it"),
             Self::NoGain(s) => write!(f, "the test records do not have it: they show {} of it", share(s)),
             Self::Small(closed) => write!(f, "it closes only {:.0} % of the gap on other records", 100.0 * closed),
@@ -90,8 +88,6 @@ impl fmt::Display for Refusal {
 const DIFFER: f64 = 0.01;
 /// Shares that differ by less are equal: no model is exact.
 const SAME_SIZE: f64 = 0.1;
-/// Standard error of a share above which a record could not confirm the effect if it showed all of it.
-const TELLS: f64 = 0.5 / 1.645;
 /// Smallest share of the gap that an effect must close.
 const CLOSES: f64 = 0.10;
 /// Squared errors that differ by less are equal; where the gap is no larger than random forces make it, equal runs differ by chance.
@@ -107,12 +103,10 @@ pub struct Bench<'a> {
     pub train: &'a [Track],
     /// Test records.
     pub held: &'a [Track],
-    /// Test records as they were read.
-    pub test: &'a [Record],
-    /// Predictions of the model before.
-    pub before: &'a Figures,
-    /// How predictions are made.
-    pub view: View,
+    /// Predictions of the model before, of each test record.
+    pub before: &'a [Vec<Ahead>],
+    /// Seconds ahead that are predicted.
+    pub horizon: f64,
 }
 
 /// Judges a refitted candidate against the model before it.
@@ -120,8 +114,10 @@ pub struct Bench<'a> {
 /// # Errors
 /// [`DiagnoseError`] where a training record cannot be followed.
 pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<Judged, DiagnoseError> {
-    let after = figures(&tried.prepared.model, &[], &tried.fitted.mean(), &[], bench.test, bench.view);
-    let refuse = |why: Refusal, gain: (f64, f64)| Ok(Judged { refused: Some(why), gain, figures: after.clone() });
+    let mean = tried.fitted.mean();
+    let new = tried.fitted.judged(&tried.prepared, &mean);
+    let after: Vec<Vec<Ahead>> = bench.held.iter().map(|track| predictions(new, &mean, track, bench.horizon)).collect();
+    let refuse = |why: Refusal, gain: (f64, f64)| Ok(Judged { refused: Some(why), gain, predictions: after.clone() });
     let none = (0.0, f64::INFINITY);
     let own = tried.prepared.of_effect.last().cloned().unwrap_or_default();
     let estimates: Vec<_> = tried.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).collect();
@@ -130,7 +126,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     }
     if !options.method.other_records {
         let gain = (tried.fitted.found.log_likelihood - bench.fitted.found.log_likelihood) / tried.fitted.found.samples.max(1) as f64;
-        return Ok(Judged { refused: (gain <= 0.0).then_some(Refusal::Vanishes), gain: (gain, 0.0), figures: after });
+        return Ok(Judged { refused: (gain <= 0.0).then_some(Refusal::Vanishes), gain: (gain, 0.0), predictions: after });
     }
     let way = if estimates.is_empty() { Way::From(&bench.prepared.model) } else { Way::Parameters(&own) };
     let noise = &tried.fitted.found.noise;
@@ -156,20 +152,23 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     if p < DIFFER && !tried.per_record {
         return refuse(Refusal::Contradiction { p, shares: told }, gain);
     }
-    let Some(pooled) = pooled.filter(|s| s.sd < TELLS) else { return refuse(Refusal::Untold(pooled), gain) };
+    let Some(pooled) = pooled else { return refuse(Refusal::Untold(None), gain) };
     if gain.0 <= gain.1 * (1.645 / 1.96) {
-        return refuse(Refusal::NoGain(pooled), gain);
+        let whole = pooled.value + 1.96 * pooled.sd.hypot(SAME_SIZE) > 1.0;
+        return refuse(if whole { Refusal::Untold(Some(pooled)) } else { Refusal::NoGain(pooled) }, gain);
     }
-    let shrunk = shrink(&tried.prepared.model, &tried.fitted.mean(), noise, bench.held, bench.before, &after);
-    let best = shrunk.iter().map(|s| s.1).fold(f64::NEG_INFINITY, f64::max);
-    let (worse, better) = weighed(bench.before, &after);
-    if best < CLOSES && !shrunk.is_empty() {
+    let weighed = weigh(bench.before, &after);
+    // where what is there is no larger than noise makes it, there is no gap to close
+    let gaps: Vec<f64> = weighed.iter().filter(|w| w.before > NONE * w.floor).map(Weighed::closed).collect();
+    let best = gaps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if best < CLOSES && !gaps.is_empty() {
         return refuse(Refusal::Small(best), gain);
     }
-    if worse > better * if shrunk.is_empty() { EQUAL.1 } else { EQUAL.0 } {
+    let ratio = weighed.iter().map(|w| w.after / w.before).sum::<f64>() / weighed.len().max(1) as f64;
+    if ratio > if gaps.is_empty() { EQUAL.1 } else { EQUAL.0 } {
         return refuse(Refusal::Worse, gain);
     }
-    Ok(Judged { refused: None, gain, figures: after })
+    Ok(Judged { refused: None, gain, predictions: after })
 }
 
 /// The share that several records show together.
@@ -191,16 +190,39 @@ fn differ(told: &[(String, Share)]) -> f64 {
     beyond(spread, wide.len() - 1)
 }
 
-/// Errors after and before on test records, each over that before.
-fn weighed(before: &Figures, after: &Figures) -> (f64, f64) {
-    let (mut new, mut old) = (0.0, 0.0);
-    for (b, a) in before.test.iter().zip(&after.test) {
-        if let (Some(b), Some(a)) = (b.rmse, a.rmse)
-            && b > 0.0
-        {
-            new += (a / b).powi(2);
-            old += 1.0;
-        }
+/// Mean squared errors of an output's predictions, each over the larger variance that the two models expect there: where a rig amplifies
+/// whatever pushes it, errors say little.
+#[derive(Clone, Copy, Debug)]
+struct Weighed {
+    before: f64,
+    after: f64,
+    /// What the noise of the model after makes.
+    floor: f64,
+}
+
+impl Weighed {
+    fn closed(&self) -> f64 {
+        1.0 - (self.after - self.floor).max(0.0) / (self.before - self.floor)
     }
-    (new, old)
+}
+
+fn weigh(before: &[Vec<Ahead>], after: &[Vec<Ahead>]) -> Vec<Weighed> {
+    let outputs: Vec<usize> = before.iter().flatten().map(|a| a.output).collect::<std::collections::BTreeSet<_>>().into_iter().collect();
+    let of = |output: usize| {
+        let mut sum = [0.0; 4];
+        for (b, a) in before.iter().zip(after) {
+            let own = |all: &[Ahead]| all.iter().position(|a| a.output == output);
+            let (Some(b), Some(a)) = (own(b).map(|k| &b[k]), own(a).map(|k| &a[k])) else { continue };
+            for k in 0..b.t.len().min(a.t.len()) {
+                let variance = b.floor[k].max(a.floor[k]).powi(2);
+                let parts = [b.error[k].powi(2), a.error[k].powi(2), a.floor[k].powi(2)].map(|v| v / variance);
+                if parts.iter().all(|v| v.is_finite()) {
+                    sum.iter_mut().zip(parts.into_iter().chain([1.0])).for_each(|(s, v)| *s += v);
+                }
+            }
+        }
+        let [before, after, floor, count] = sum;
+        (count > 0.0).then(|| Weighed { before: before / count, after: after / count, floor: floor / count })
+    };
+    outputs.into_iter().filter_map(of).collect()
 }

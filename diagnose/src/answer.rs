@@ -128,6 +128,8 @@ pub struct Figure {
     pub rmse: Option<f64>,
     /// Seconds ahead, where it is a prediction and no free run.
     pub horizon: Option<f64>,
+    /// Root-mean-square error that the noise alone gives a prediction (SI).
+    pub floor: Option<f64>,
 }
 
 /// Figures of one model.

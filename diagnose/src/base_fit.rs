@@ -1,8 +1,8 @@
 //! Fits of the base and of patched models, by innovations.
 
-use crate::answer::Figures;
+use crate::answer::Figure;
 use crate::error::DiagnoseError;
-use crate::figures::{View, figures};
+use crate::figures::{Judged, View, compared};
 use crate::model::{Included, Prepared, prepare};
 use crate::options::Options;
 use crate::patch::Base;
@@ -27,6 +27,11 @@ impl Fitted {
         let records = self.found.p.len().max(1) as f64;
         let length = self.found.p.first().map_or(0, Vec::len);
         (0..length).map(|i| self.found.p.iter().map(|p| p[i]).sum::<f64>() / records).collect()
+    }
+
+    /// What figures are made of; `mean` are the parameters of records that were not fitted.
+    pub fn judged<'a>(&'a self, prepared: &'a Prepared, mean: &'a [f64]) -> Judged<'a> {
+        Judged { prepared, noise: &self.found.noise, p_train: &self.found.p, p: mean }
     }
 
     /// The noise, with the forces where another model has them.
@@ -90,7 +95,10 @@ pub fn fit_base(
     let found = estimate(&plain.model, &plain.specs, tracks, &best.p, best.noise, EstimateOptions::default())?;
     let names: Vec<String> = plain.specs.iter().map(|s| s.name.clone()).collect();
     let view = View { hold: options.hold, horizon: Some(ahead(plain, &p0)) };
-    let error = |p: &[Vec<f64>]| error(&figures(&plain.model, p, &p0, train, &[], view));
+    let error = |p: &[Vec<f64>]| {
+        let each: Vec<Figure> = train.iter().zip(p).flat_map(|(record, p)| compared(&plain.model, p, record, view)).collect();
+        error(&each)
+    };
     let nearest = starts.iter().map(|p| (error(p), p)).min_by(|a, b| a.0.total_cmp(&b.0));
     let Some((_, start)) = nearest.filter(|(least, _)| error(&found.p) > LOST * least) else {
         return Ok((Fitted { found, names }, asked.to_vec()));
@@ -113,8 +121,8 @@ pub fn fit_base(
 }
 
 /// Squared errors over all signals, each over its own size.
-fn error(figures: &Figures) -> f64 {
-    let each: Vec<f64> = figures.train.iter().filter_map(|f| f.fit_percent).map(|p| (1.0 - 0.01 * p).powi(2)).collect();
+fn error(figures: &[Figure]) -> f64 {
+    let each: Vec<f64> = figures.iter().filter_map(|f| f.fit_percent).map(|p| (1.0 - 0.01 * p).powi(2)).collect();
     if each.is_empty() { f64::INFINITY } else { each.iter().sum() }
 }
 

@@ -4,10 +4,10 @@
 
 use crate::accept::{Bench, Refusal, judge};
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
-use crate::base_fit::{fit_base, refit};
+use crate::base_fit::{Fitted, fit_base, refit};
 use crate::effects::{Effect, IDS, Scales, catalogue};
 use crate::error::DiagnoseError;
-use crate::figures::{View, figures, shrink, view};
+use crate::figures::{Judged, Measured, View, figures, predictions, shrink, view};
 use crate::locate::locate;
 use crate::model::{Prepared, prepare};
 use crate::options::{Options, Step};
@@ -102,14 +102,19 @@ pub fn diagnose(
         answer.seconds = began.elapsed().as_secs_f64();
         return Ok(answer);
     }
+    let mean = fitted.mean();
+    let trained = Measured { records: train, tracks: &tracks.clone() };
+    let tested = Measured { records: test, tracks: &held };
     let mut seen = View { hold: options.hold, horizon: None };
-    answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
+    answer.before = figures(fitted.judged(&plain, &mean), Some(trained), tested, seen);
     let longest = train.iter().map(Record::duration).fold(0.0, f64::max);
     seen = view(&answer.before, integrates(&plain, &fitted.mean(), longest), ahead(&plain, &p0), options.hold);
     if seen.horizon.is_some() {
-        answer.before = figures(&plain.model, &fitted.found.p, &fitted.mean(), train, test, seen);
+        answer.before = figures(fitted.judged(&plain, &mean), Some(trained), tested, seen);
     }
-    answer.published = figures(&plain.model, &vec![p0.clone(); tracks.len()], &p0, train, test, seen);
+    let given = vec![p0.clone(); tracks.len()];
+    answer.published =
+        figures(Judged { prepared: &plain, noise: &fitted.found.noise, p_train: &given, p: &p0 }, Some(trained), tested, seen);
     answer.after = answer.before.clone();
     answer.noise = Some(fitted.found.noise.clone());
     tell("where do they disagree? ..");
@@ -130,8 +135,12 @@ pub fn diagnose(
     let base_state_names: Vec<(String, String, f64, f64)> = current.free_parameters();
     let base_figures = answer.before.clone();
     // acceptance looks at predictions: many starts scatter less than one free run, which may go over the top
-    let gate = View { hold: options.hold, horizon: seen.horizon.or(Some(ahead(&current.prepared, &p0))) };
-    let mut at_gate = figures(&current.prepared.model, &[], &current.fitted.mean(), &[], test, gate);
+    let horizon = seen.horizon.unwrap_or(ahead(&current.prepared, &p0));
+    let predicted = |fitted: &Fitted, prepared: &Prepared| -> Vec<_> {
+        let mean = fitted.mean();
+        held.iter().map(|track| predictions(fitted.judged(prepared, &mean), &mean, track, horizon)).collect()
+    };
+    let mut at_gate = predicted(&current.fitted, &current.prepared);
     let mut rejected: Vec<Rejected> = Vec::new();
     let ask = Question { base, asked, options };
     let mut left_over;
@@ -165,15 +174,8 @@ pub fn diagnose(
             } else {
                 judged += 1;
                 current.work_out(&ask, &left, &round, &mut tried, &mut tracks, &held)?;
-                let bench = Bench {
-                    prepared: &current.prepared,
-                    fitted: &current.fitted,
-                    train: &tracks,
-                    held: &held,
-                    test,
-                    before: &at_gate,
-                    view: gate,
-                };
+                let bench =
+                    Bench { prepared: &current.prepared, fitted: &current.fitted, train: &tracks, held: &held, before: &at_gate, horizon };
                 let verdict = judge(&bench, &tried, options)?;
                 let Some(why) = verdict.refused else {
                     accepted = Some((tried, verdict));
@@ -202,8 +204,8 @@ pub fn diagnose(
             per_record: tried.per_record,
         };
         answer.findings.push(finding);
-        answer.after = figures(&tried.prepared.model, &tried.fitted.found.p, &tried.fitted.mean(), train, test, seen);
-        at_gate = verdict.figures;
+        answer.after = figures(tried.fitted.judged(&tried.prepared, &tried.fitted.mean()), Some(trained), tested, seen);
+        at_gate = verdict.predictions;
         current = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
         // what an earlier effect stood for may have been this one
         if let Some(drop) = current.superfluous().filter(|drop| drop + 1 < current.accepted.len()) {
@@ -212,8 +214,9 @@ pub fn diagnose(
             fewer.remove(drop);
             if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, &mut tracks, true) {
                 answer.findings.remove(drop);
-                answer.after = figures(&prepared.model, &fitted.found.p, &fitted.mean(), train, test, seen);
-                at_gate = figures(&prepared.model, &[], &fitted.mean(), &[], test, gate);
+                let mean = fitted.mean();
+                answer.after = figures(fitted.judged(&prepared, &mean), Some(trained), tested, seen);
+                at_gate = predicted(&fitted, &prepared);
                 current = State { prepared, fitted, accepted: fewer };
             }
         }
@@ -223,8 +226,8 @@ pub fn diagnose(
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.mean(), train, test, options.hold);
     }
     finish(base, &mut answer, &current, &base_state_names, (&rejected, turn), left_over, train)?;
-    answer.gap_shrink =
-        shrink(&current.prepared.model, &current.fitted.mean(), &current.fitted.found.noise, &held, &base_figures, &answer.after);
+    let mean = current.fitted.mean();
+    answer.gap_shrink = shrink(current.fitted.judged(&current.prepared, &mean), &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
 }

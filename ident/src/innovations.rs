@@ -15,6 +15,7 @@
 //!
 //! Knows models through [`runtime::Model`] only; the force on a coordinate is a parameter of the model that is zero.
 
+mod ahead;
 mod estimate;
 mod filter;
 mod identify;
@@ -23,6 +24,7 @@ mod noise;
 mod smooth;
 mod transition;
 
+pub use ahead::{Ahead, ahead};
 pub use estimate::{EstimateOptions, Estimated, Unknown, estimate, likelihood};
 pub use filter::{Column, Gains, Pass, Shape, Track, pass, wander};
 pub use identify::{InnovationsFit, InnovationsOptions, OutputNoise, Positive, RandomForce, identify};

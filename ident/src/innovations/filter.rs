@@ -251,15 +251,13 @@ pub fn pass(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise, columns:
     run(model, p, track, noise, columns, &Filtering::Riccati, &mut |_| {})
 }
 
-/// Mean variance of each output (SI squared) that random forces alone give a run of the model: a run of `length` seconds from the
-/// initial state, or a free run over the whole record. `None` where the model cannot be followed.
+/// Mean variance of each output (SI squared) that random forces alone give a free run of the model over a record. `None` where the model
+/// cannot be followed.
 ///
 /// # Errors
 /// As [`pass`].
-pub fn wander(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise, length: Option<f64>) -> Result<Option<Vec<f64>>, FitError> {
-    let times = &track.data.times;
-    let end = length.map_or(times.len(), |h| times.partition_point(|t| *t <= times[0] + h)).clamp(2, times.len());
-    let mut blind = track.part(0, end, model, p);
+pub fn wander(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise) -> Result<Option<Vec<f64>>, FitError> {
+    let mut blind = track.begun(model, p);
     blind.data.measured.iter_mut().for_each(|values| values.fill(f64::NAN));
     blind.initial_sd.fill(0.0);
     let d = model.dimensions();
@@ -270,18 +268,15 @@ pub fn wander(model: &dyn Model, p: &[f64], track: &Track, noise: &Noise, length
     let mut at = 0;
     let found = run(model, p, &blind, noise, &[], &Filtering::Riccati, &mut |seen| {
         let (state, covariance) = seen.updated;
-        // a prediction is judged at its end, a run all along
-        if length.is_none() || at + 1 == end {
-            model.output_jacobian(blind.data.times[at], &state[..n], p, &mut c, &mut dhdp);
-            for (i, sum) in sum.iter_mut().enumerate() {
-                for a in 0..n {
-                    for b in 0..n {
-                        *sum += c[i * n + a] * covariance[a * order + b] * c[i * n + b];
-                    }
+        model.output_jacobian(blind.data.times[at], &state[..n], p, &mut c, &mut dhdp);
+        for (i, sum) in sum.iter_mut().enumerate() {
+            for a in 0..n {
+                for b in 0..n {
+                    *sum += c[i * n + a] * covariance[a * order + b] * c[i * n + b];
                 }
             }
-            count += 1.0;
         }
+        count += 1.0;
         at += 1;
     })?;
     Ok(found.map(|_| sum.into_iter().map(|s| s / f64::max(count, 1.0)).collect()))
