@@ -74,6 +74,9 @@ pub struct Said {
     pub p: f64,
     /// Gain on the test record and half its interval.
     pub gain: (f64, f64),
+    /// It has a value for each record.
+    #[serde(default)]
+    pub by_record: bool,
 }
 
 /// A line of the results.
@@ -107,7 +110,7 @@ pub struct Outcome {
     pub class_size: Vec<usize>,
     /// Share of the gap that was closed, by signal.
     pub shrink: Vec<(String, f64)>,
-    /// Error of the test record after over that before, mean over signals.
+    /// Squared error of predictions of the test record after over that before, mean over signals.
     pub test_ratio: Option<f64>,
     /// Seconds.
     pub seconds: f64,
@@ -457,6 +460,7 @@ fn fill(outcome: &mut Outcome, found: &Diagnosis) {
             class: class(&f.effect, &f.place),
             p: f.p_value,
             gain: f.heldout_gain,
+            by_record: f.per_record,
         })
         .collect();
     outcome.strongest =
@@ -478,14 +482,6 @@ fn fill(outcome: &mut Outcome, found: &Diagnosis) {
         })
         .collect();
     outcome.shrink.clone_from(&found.gap_shrink);
-    let ratios: Vec<f64> = found
-        .before
-        .test
-        .iter()
-        .zip(&found.after.test)
-        .filter_map(|(b, a)| Some((a.rmse?, b.rmse?)))
-        .filter(|(_, b)| *b > 0.0)
-        .map(|(a, b)| a / b)
-        .collect();
-    outcome.test_ratio = (!ratios.is_empty()).then(|| ratios.iter().sum::<f64>() / ratios.len() as f64);
+    // each step's error over that before it
+    outcome.test_ratio = (!found.findings.is_empty()).then(|| found.findings.iter().map(|f| f.error_ratio).product());
 }

@@ -52,6 +52,7 @@ fn coefficients(outcome: &Outcome) -> Vec<bool> {
     let mut all = Vec::new();
     for h in outcome.hidden.iter().filter(|h| !SHAPED.contains(&h.effect.as_str())) {
         if let Some(said) = outcome.said.iter().find(|s| s.effect == h.effect && s.place == h.place)
+            && !said.by_record
             && said.values.len() == h.sizes.len()
         {
             let (value, sd) = said.values[0];
@@ -118,12 +119,18 @@ fn verdicts(own: &[&Outcome]) -> String {
     found.iter().map(|(v, n)| format!("{v} {n}")).collect::<Vec<_>>().join(", ")
 }
 
+/// An effect was said where none of the rig is there; what belongs to the day may be said of it.
+fn speaks(o: &Outcome) -> bool {
+    let day = o.part.starts_with("of-the-day") || o.part.starts_with("day:");
+    o.said.iter().any(|s| !(day && s.by_record))
+}
+
 fn silent(own: &[&Outcome], text: &mut String, title: &str, key: &dyn Fn(&Outcome) -> String) {
     let _ = writeln!(text, "| {title} | screening error | effects reported | verdicts | median s |\n|---|---|---|---|---|");
     for (name, group) in groups(own, key) {
         let ran: Vec<&&Outcome> = group.iter().filter(|o| !o.failed && o.verdict != "bad_data").collect();
         let p = ran.iter().filter(|o| o.screening_p < 0.05).count();
-        let said = group.iter().filter(|o| !o.said.is_empty()).count();
+        let said = group.iter().filter(|o| speaks(o)).count();
         let seconds = median(group.iter().map(|o| o.seconds).collect());
         let _ = writeln!(text, "| {name} | {} | {} | {} | {seconds} |", share(p, ran.len()), share(said, group.len()), verdicts(&group));
     }
@@ -255,7 +262,7 @@ fn failures(row: &str, own: &[&Outcome], text: &mut String) {
         .iter()
         .filter(|o| match row {
             _ if o.failed => true,
-            "nothing" | "bad-data" | "day" => !o.said.is_empty(),
+            "nothing" | "bad-data" | "day" => speaks(o),
             "outside" => !o.said.is_empty() && (o.verdict == "complete" || o.verdict == "ambiguous"),
             "dose" => o.said.iter().any(|s| !right(s, o, 0)),
             "ablation" => false,
@@ -268,7 +275,11 @@ fn failures(row: &str, own: &[&Outcome], text: &mut String) {
     let _ = writeln!(text, "\nNot as it should be ({}):\n", bad.len());
     for o in bad {
         let hidden: Vec<String> = o.hidden.iter().map(|h| format!("{} on {} {:?}", h.effect, h.place, h.sizes)).collect();
-        let said: Vec<String> = o.said.iter().map(|s| format!("{} on {} (gain {:.1e})", s.effect, s.place, s.gain.0)).collect();
+        let said: Vec<String> = o
+            .said
+            .iter()
+            .map(|s| format!("{} on {} (gain {:.1e})", s.effect, s.place, s.gain.0) + if s.by_record { " of the day" } else { "" })
+            .collect();
         let because: String = o.because.chars().take(220).collect();
         let _ = writeln!(
             text,

@@ -1,9 +1,9 @@
 //! Whether an effect is accepted: it must help on records that it was not found on, and say the same in all of them.
 
-use crate::base_fit::Fitted;
+use crate::base_fit::{Fitted, from_first_halves, middle};
 use crate::chance::beyond;
 use crate::error::DiagnoseError;
-use crate::figures::{NONE, predictions};
+use crate::figures::{self, NONE, predictions};
 use crate::model::{Included, Prepared};
 use crate::options::Options;
 use crate::shown::{Share, Way, share};
@@ -24,8 +24,6 @@ pub struct Tried {
     pub fitted: Fitted,
     /// Candidates that cannot be told from it.
     pub equivalent: Vec<usize>,
-    /// Belongs to the day.
-    pub per_record: bool,
 }
 
 /// What acceptance found.
@@ -34,8 +32,8 @@ pub struct Judged {
     pub refused: Option<Refusal>,
     /// Gain on the test records [nats/sample], half width of its 95 % interval.
     pub gain: (f64, f64),
-    /// Predictions of each test record with the effect.
-    pub predictions: Vec<Vec<Ahead>>,
+    /// Squared error of predictions of the test records with the effect over that without, mean over signals.
+    pub error_ratio: f64,
 }
 
 /// Why an effect is refused.
@@ -114,10 +112,20 @@ pub struct Bench<'a> {
 /// # Errors
 /// [`DiagnoseError`] where a training record cannot be followed.
 pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<Judged, DiagnoseError> {
-    let mean = tried.fitted.mean();
-    let new = tried.fitted.judged(&tried.prepared, &mean);
-    let after: Vec<Vec<Ahead>> = bench.held.iter().map(|track| predictions(new, &mean, track, bench.horizon)).collect();
-    let refuse = |why: Refusal, gain: (f64, f64)| Ok(Judged { refused: Some(why), gain, predictions: after.clone() });
+    let by_record = tried.included.last().is_some_and(|i| i.effect.by_record);
+    // what belongs to the day is judged on the second half of every record, with what its first half says
+    let (later, p_later) = if by_record { second_halves(bench, tried) } else { (bench.held.to_vec(), tried.fitted.of_test.clone()) };
+    let judged = |p_test| figures::Judged { p_test, ..tried.fitted.judged(&tried.prepared) };
+    let after = predictions(judged(&p_later), &later, bench.horizon);
+    let weighed = if by_record {
+        let p_before = from_first_halves(bench.prepared, &bench.fitted.found, &later);
+        let old = figures::Judged { p_test: &p_before, ..bench.fitted.judged(bench.prepared) };
+        weigh(&predictions(old, &later, bench.horizon), &after)
+    } else {
+        weigh(bench.before, &after)
+    };
+    let error_ratio = weighed.iter().map(|w| w.after / w.before).sum::<f64>() / weighed.len().max(1) as f64;
+    let refuse = |why: Refusal, gain: (f64, f64)| Ok(Judged { refused: Some(why), gain, error_ratio });
     let none = (0.0, f64::INFINITY);
     let own = tried.prepared.of_effect.last().cloned().unwrap_or_default();
     let estimates: Vec<_> = tried.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).collect();
@@ -126,30 +134,32 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     }
     if !options.method.other_records {
         let gain = (tried.fitted.found.log_likelihood - bench.fitted.found.log_likelihood) / tried.fitted.found.samples.max(1) as f64;
-        return Ok(Judged { refused: (gain <= 0.0).then_some(Refusal::Vanishes), gain: (gain, 0.0), predictions: after });
+        return Ok(Judged { refused: (gain <= 0.0).then_some(Refusal::Vanishes), gain: (gain, 0.0), error_ratio });
     }
     let way = if estimates.is_empty() { Way::From(&bench.prepared.model) } else { Way::Parameters(&own) };
     let noise = &tried.fitted.found.noise;
-    let of = |track: &Track| share(&tried.prepared, &tried.fitted, &way, noise, track);
-    let train: Vec<Option<Share>> = bench.train.iter().map(of).collect::<Result<_, _>>()?;
-    let mut held = Vec::new();
-    for track in bench.held {
-        match of(track) {
-            Ok(share) => held.push(share),
+    let of = |p: &[f64], track: &Track| share(&tried.prepared, p, &way, noise, track);
+    let mut train: Vec<(String, Option<Share>)> = Vec::new();
+    let mut held: Vec<(String, Option<Share>)> = Vec::new();
+    for (track, p) in bench.train.iter().zip(&tried.fitted.found.p).filter(|_| !by_record) {
+        train.push((track.source().to_owned(), of(p, track)?));
+    }
+    for (track, p) in later.iter().zip(&p_later) {
+        match of(p, track) {
+            Ok(share) => held.push((track.source().to_owned(), share)),
             Err(_) => return refuse(Refusal::Lost, none),
         }
     }
-    let samples: usize = bench.held.iter().map(|t| t.times().len()).sum();
-    let pooled = pool(held.iter().flatten());
+    let samples: usize = later.iter().map(|t| t.times().len()).sum();
+    let pooled = pool(held.iter().filter_map(|(_, s)| s.as_ref()));
     let gain = pooled.map_or(none, |s| {
         let (gain, half) = s.gain();
         (gain / samples.max(1) as f64, half / samples.max(1) as f64)
     });
-    let names = bench.train.iter().chain(bench.held).map(|t| t.source().to_owned());
     let told: Vec<(String, Share)> =
-        names.zip(train.iter().chain(&held)).filter_map(|(name, s)| s.filter(|s| s.sd < 1.0).map(|s| (name, s))).collect();
+        train.into_iter().chain(held).filter_map(|(name, s)| s.filter(|s| s.sd < 1.0).map(|s| (name, s))).collect();
     let p = differ(&told);
-    if p < DIFFER && !tried.per_record {
+    if p < DIFFER {
         return refuse(Refusal::Contradiction { p, shares: told }, gain);
     }
     let Some(pooled) = pooled else { return refuse(Refusal::Untold(None), gain) };
@@ -157,18 +167,24 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         let whole = pooled.value + 1.96 * pooled.sd.hypot(SAME_SIZE) > 1.0;
         return refuse(if whole { Refusal::Untold(Some(pooled)) } else { Refusal::NoGain(pooled) }, gain);
     }
-    let weighed = weigh(bench.before, &after);
     // where what is there is no larger than noise makes it, there is no gap to close
     let gaps: Vec<f64> = weighed.iter().filter(|w| w.before > NONE * w.floor).map(Weighed::closed).collect();
     let best = gaps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if best < CLOSES && !gaps.is_empty() {
         return refuse(Refusal::Small(best), gain);
     }
-    let ratio = weighed.iter().map(|w| w.after / w.before).sum::<f64>() / weighed.len().max(1) as f64;
-    if ratio > if gaps.is_empty() { EQUAL.1 } else { EQUAL.0 } {
+    if error_ratio > if gaps.is_empty() { EQUAL.1 } else { EQUAL.0 } {
         return refuse(Refusal::Worse, gain);
     }
-    Ok(Judged { refused: None, gain, predictions: after })
+    Ok(Judged { refused: None, gain, error_ratio })
+}
+
+/// Second halves of all records, and parameters with what the first halves say of the day.
+fn second_halves(bench: &Bench<'_>, tried: &Tried) -> (Vec<Track>, Vec<Vec<f64>>) {
+    let all: Vec<Track> = bench.train.iter().chain(bench.held).cloned().collect();
+    let p = from_first_halves(&tried.prepared, &tried.fitted.found, &all);
+    let half = |(track, p): (&Track, &Vec<f64>)| track.part(middle(track), track.times().len(), &tried.prepared.model, p);
+    (all.iter().zip(&p).map(half).collect(), p)
 }
 
 /// The share that several records show together.

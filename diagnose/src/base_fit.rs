@@ -19,19 +19,21 @@ pub struct Fitted {
     pub found: Estimated,
     /// Names of the model's parameters.
     pub names: Vec<String>,
+    /// Parameters of each test record: those of the day from its first half.
+    pub of_test: Vec<Vec<f64>>,
 }
 
 impl Fitted {
-    /// Parameters for a record that was not fitted: those of the day as the mean over the records.
+    /// Parameters of the rig: those of the day as the mean over the records.
     pub fn mean(&self) -> Vec<f64> {
         let records = self.found.p.len().max(1) as f64;
         let length = self.found.p.first().map_or(0, Vec::len);
         (0..length).map(|i| self.found.p.iter().map(|p| p[i]).sum::<f64>() / records).collect()
     }
 
-    /// What figures are made of; `mean` are the parameters of records that were not fitted.
-    pub fn judged<'a>(&'a self, prepared: &'a Prepared, mean: &'a [f64]) -> Judged<'a> {
-        Judged { prepared, noise: &self.found.noise, p_train: &self.found.p, p: mean }
+    /// What figures are made of.
+    pub fn judged<'a>(&'a self, prepared: &'a Prepared) -> Judged<'a> {
+        Judged { prepared, noise: &self.found.noise, p_train: &self.found.p, p_test: &self.of_test }
     }
 
     /// The noise, with the forces where another model has them.
@@ -42,6 +44,30 @@ impl Fitted {
         }
         noise
     }
+}
+
+/// The middle of a record.
+pub fn middle(track: &Track) -> usize {
+    track.times().len() / 2
+}
+
+/// Parameters of records that were not fitted: those of the day are found from the first half of each.
+pub fn from_first_halves(prepared: &Prepared, found: &Estimated, held: &[Track]) -> Vec<Vec<f64>> {
+    let records = found.p.len().max(1) as f64;
+    let mean: Vec<f64> = (0..prepared.specs.len()).map(|i| found.p.iter().map(|p| p[i]).sum::<f64>() / records).collect();
+    let of_the_day: Vec<ParameterSpec> =
+        prepared.specs.iter().map(|s| ParameterSpec { free: s.free && s.per_record, per_record: false, ..s.clone() }).collect();
+    if of_the_day.iter().all(|s| !s.free) {
+        return vec![mean; held.len()];
+    }
+    let of = |track: &Track| {
+        let mut half = [track.part(0, middle(track), &prepared.model, &mean)];
+        let effort = EstimateOptions { rounds: 0, evaluations: 10, ..EstimateOptions::default() };
+        let noise = prepared.noise(&found.noise);
+        let fitted = estimate(&prepared.model, &of_the_day, &mut half, std::slice::from_ref(&mean), noise, effort);
+        fitted.map_or_else(|_| mean.clone(), |f| f.p[0].clone())
+    };
+    held.iter().map(of).collect()
 }
 
 /// No random forces.
@@ -65,6 +91,7 @@ pub fn fit_base(
     asked: &[ParameterSpec],
     train: &[Record],
     tracks: &mut [Track],
+    held: &[Track],
     options: &Options<'_>,
 ) -> Result<(Fitted, Vec<ParameterSpec>), DiagnoseError> {
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
@@ -101,7 +128,8 @@ pub fn fit_base(
     };
     let nearest = starts.iter().map(|p| (error(p), p)).min_by(|a, b| a.0.total_cmp(&b.0));
     let Some((_, start)) = nearest.filter(|(least, _)| error(&found.p) > LOST * least) else {
-        return Ok((Fitted { found, names }, asked.to_vec()));
+        let of_test = from_first_halves(plain, &found, held);
+        return Ok((Fitted { found, names, of_test }, asked.to_vec()));
     };
     (options.progress)("  likelihood alone would lose the rig: parameters stay near those that predict best");
     let near = |specs: &[ParameterSpec]| -> Vec<ParameterSpec> {
@@ -117,7 +145,8 @@ pub fn fit_base(
     let noise = plain.noise(&Noise::guess(&plain.model, &p0, tracks, plain.entries.clone()));
     let found = estimate(&plain.model, &near(&plain.specs), tracks, start, noise, EstimateOptions::default())?;
     let asked = near(asked);
-    Ok((Fitted { found, names }, asked))
+    let of_test = from_first_halves(plain, &found, held);
+    Ok((Fitted { found, names, of_test }, asked))
 }
 
 /// Squared errors over all signals, each over its own size.
@@ -132,7 +161,7 @@ pub fn refit(
     asked: &[ParameterSpec],
     included: &[Included],
     from: &Fitted,
-    tracks: &mut [Track],
+    (tracks, held): (&mut [Track], &[Track]),
     thorough: bool,
 ) -> Result<(Prepared, Fitted), DiagnoseError> {
     let prepared = prepare(base, asked, included, included.len())?;
@@ -151,12 +180,12 @@ pub fn refit(
     let mut own = tracks.to_vec();
     let found = estimate(&prepared.model, &prepared.specs, &mut own, &start, noise, effort)?;
     let names = prepared.specs.iter().map(|s| s.name.clone()).collect();
-    Ok((prepared, Fitted { found, names }))
+    let of_test = from_first_halves(&prepared, &found, held);
+    Ok((prepared, Fitted { found, names, of_test }))
 }
 
 /// Likelihood of test records, by sample, with the sizes of `noise`; each record begins as its first samples say.
 pub fn likelihoods(prepared: &Prepared, fitted: &Fitted, noise: &Noise, tracks: &[Track]) -> Result<Vec<Option<Vec<f64>>>, FitError> {
-    let p = fitted.mean();
     let noise = prepared.noise(noise);
-    tracks.iter().map(|track| likelihood(&prepared.model, &p, track, &noise)).collect()
+    tracks.iter().zip(&fitted.of_test).map(|(track, p)| likelihood(&prepared.model, p, track, &noise)).collect()
 }

@@ -31,6 +31,8 @@ pub struct Effect {
     pub signature: Signature,
     /// It may belong to the day: a value for each record.
     pub of_the_day: bool,
+    /// It is taken so.
+    pub by_record: bool,
 }
 
 /// A parameter that an effect adds.
@@ -191,6 +193,13 @@ pub const IDS: [&str; 31] = [
     "base_tilt",
     "neglected_inertia",
 ];
+
+/// Those that may belong to the day, with a value for each record.
+#[must_use]
+pub fn by_record(effects: &[Effect]) -> Vec<Effect> {
+    let of = |e: &Effect| Effect { by_record: true, shape: Some("a value for each record".to_owned()), ..e.clone() };
+    effects.iter().filter(|e| e.of_the_day && e.parameters.len() == 1).map(of).collect()
+}
 
 /// All effects at all places of a rig.
 #[must_use]

@@ -59,7 +59,7 @@ pub struct Judged<'a> {
     /// Parameters for training records.
     pub p_train: &'a [Vec<f64>],
     /// Parameters for test records.
-    pub p: &'a [f64],
+    pub p_test: &'a [Vec<f64>],
 }
 
 /// How a model follows training and test records.
@@ -70,7 +70,7 @@ pub fn figures(judged: Judged<'_>, train: Option<Measured<'_>>, test: Measured<'
         Some(h) => predicted(judged, p, &measured.tracks[k], h),
     };
     let trained = train.iter().flat_map(|m| (0..m.records.len()).flat_map(|k| of(*m, k, &judged.p_train[k]))).collect();
-    Figures { train: trained, test: (0..test.records.len()).flat_map(|k| of(test, k, judged.p)).collect() }
+    Figures { train: trained, test: (0..test.records.len()).flat_map(|k| of(test, k, &judged.p_test[k])).collect() }
 }
 
 /// A free run, or predictions from states that are smoothed without the model.
@@ -96,9 +96,13 @@ pub fn compared(model: &dyn Model, p: &[f64], record: &Record, view: View) -> Ve
     found.figures().into_iter().map(of).collect()
 }
 
-/// Predictions of a record from the states that the model's own filter has; none where it cannot be followed.
+/// Predictions of test records from the states that the model's own filter has; none where one cannot be followed.
 #[must_use]
-pub fn predictions(judged: Judged<'_>, p: &[f64], track: &Track, horizon: f64) -> Vec<Ahead> {
+pub fn predictions(judged: Judged<'_>, held: &[Track], horizon: f64) -> Vec<Vec<Ahead>> {
+    held.iter().zip(judged.p_test).map(|(track, p)| prediction(judged, p, track, horizon)).collect()
+}
+
+fn prediction(judged: Judged<'_>, p: &[f64], track: &Track, horizon: f64) -> Vec<Ahead> {
     let noise = judged.prepared.noise(judged.noise);
     ahead(&judged.prepared.model, p, track, &noise, horizon, STARTS).ok().flatten().unwrap_or_default()
 }
@@ -119,7 +123,7 @@ fn predicted(judged: Judged<'_>, p: &[f64], track: &Track, horizon: f64) -> Vec<
             floor: rms(&floor),
         }
     };
-    predictions(judged, p, track, horizon).into_iter().map(of).collect()
+    prediction(judged, p, track, horizon).into_iter().map(of).collect()
 }
 
 /// Squared errors below this multiple of the floor are no gap: those of a single run scatter about it by a third and more.
@@ -129,14 +133,14 @@ pub const NONE: f64 = 2.0;
 /// what the random forces of the last model do to such a run: no model can be nearer. Signals whose gap is no larger are left out.
 #[must_use]
 pub fn shrink(judged: Judged<'_>, held: &[Track], before: &Figures, after: &Figures) -> Vec<(String, f64)> {
-    let (model, p): (&dyn Model, _) = (&judged.prepared.model, judged.p);
+    let model: &dyn Model = &judged.prepared.model;
     let names = model.names();
     let mut signals: Vec<&str> = before.test.iter().map(|f| f.signal.as_str()).collect();
     signals.sort_unstable();
     signals.dedup();
     let noise = judged.prepared.noise(judged.noise);
     let mut wandering = vec![0.0; model.dimensions().outputs];
-    for track in held.iter().filter(|_| before.test.iter().any(|f| f.horizon.is_none())) {
+    for (track, p) in held.iter().zip(judged.p_test).filter(|_| before.test.iter().any(|f| f.horizon.is_none())) {
         if let Ok(Some(each)) = wander(model, p, track, &noise) {
             wandering.iter_mut().zip(&each).for_each(|(w, e)| *w += e / held.len() as f64);
         }
@@ -148,7 +152,10 @@ pub fn shrink(judged: Judged<'_>, held: &[Track], before: &Figures, after: &Figu
     let floor = |signal: &str| {
         mean_square(after, signal, |f| f.floor).unwrap_or_else(|| {
             let output = (0..model.dimensions().outputs).find(|&i| names.output(i) == signal);
-            output.map_or(0.0, |i| noise.output_sd[i].powi(2).max(model.output_path(i, p).quantum.powi(2) / 12.0) + wandering[i])
+            output.map_or(0.0, |i| {
+                noise.output_sd[i].powi(2).max(judged.p_test.first().map_or(0.0, |p| model.output_path(i, p).quantum.powi(2) / 12.0))
+                    + wandering[i]
+            })
         })
     };
     signals

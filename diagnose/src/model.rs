@@ -14,8 +14,6 @@ use model_dsl::rig::{Expr, Friction, Rig, Symbol};
 pub struct Included {
     /// The effect.
     pub effect: Effect,
-    /// One value for each record.
-    pub per_record: bool,
     /// Values to start from.
     pub start: Vec<f64>,
     /// Coefficients that stay at zero; none where empty.
@@ -57,7 +55,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
             effect: &e.effect,
             values: values(e, k < accepted).into_iter().map(|v| (v, 0.0)).collect(),
             evidence: None,
-            per_record: e.per_record,
+            per_record: e.effect.by_record,
             screened: k >= accepted,
         })
         .collect();
@@ -89,7 +87,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
             specs[i].free = real && !held;
             specs[i].prior_sd = None;
             specs[i].value = if held { 0.0 } else { values(e, real)[j] };
-            specs[i].per_record = e.per_record;
+            specs[i].per_record = e.effect.by_record;
             specs[i].bounds = p.shape.map(|s| s.within).or(p.positive.then_some((0.0, f64::INFINITY)));
             if p.shape.is_some() { &mut shape } else { &mut own }.push(i);
         }

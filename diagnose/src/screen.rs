@@ -23,11 +23,15 @@ pub const SAME: f64 = 0.9;
 const DRAWS: usize = 4000;
 /// Samples over which scores are allowed to hang together.
 const LAGS: usize = 30;
+/// Innovations beyond this count by their sign alone (Huber): no score hangs on one sample.
+const TAIL: f64 = 3.0;
 
 /// A candidate's columns.
 pub enum Seen<'a> {
     /// An effect of the catalogue: by parameters of the screening model, or as its signature says.
     Effect(&'a Effect, Vec<usize>),
+    /// These parameters, with a value for each record.
+    ByRecord(Vec<usize>),
     /// The way to another model.
     Towards(&'a dyn Model),
     /// A force of some shape on an equation, that no effect of the catalogue needs to have.
@@ -81,20 +85,37 @@ pub fn screen(
     let crutches = widths(prepared);
     let fitted: Vec<usize> = specs.iter().enumerate().filter(|(i, s)| s.free || crutches.contains(i)).map(|(i, _)| i).collect();
     let mut columns: Vec<Column<'_>> = fitted.iter().map(|&i| Column::Parameter(i)).collect();
+    // columns of the candidates: of the pass, and of which record
+    let mut wide: Vec<(usize, Option<usize>)> = Vec::new();
     let mut own: Vec<std::ops::Range<usize>> = Vec::new();
     for candidate in candidates {
-        let from = columns.len();
+        let (first, from) = (columns.len(), wide.len());
         match candidate {
             Seen::Effect(effect, parameters) => match effect.signature {
                 Signature::InputDelay(j) => columns.push(Column::InputDelay(j)),
                 Signature::OutputDelay(i) => columns.push(Column::OutputDelay(i)),
                 Signature::Parameters | Signature::Towards => columns.extend(parameters.iter().map(|&i| Column::Parameter(i))),
             },
+            Seen::ByRecord(parameters) => {
+                for i in parameters {
+                    let known = columns.iter().position(|c| matches!(c, Column::Parameter(own) if own == i));
+                    let column = known.unwrap_or(columns.len());
+                    if known.is_none() {
+                        columns.push(Column::Parameter(*i));
+                    }
+                    wide.extend((0..tracks.len()).map(|r| (column, Some(r))));
+                }
+                own.push(from..wide.len());
+                continue;
+            }
             Seen::Towards(other) => columns.push(Column::Towards(*other)),
             Seen::Shape(shapes, _) => columns.extend(shapes.iter().map(|(entry, shape)| Column::Shaped(*entry, shape.as_ref()))),
         }
-        own.push(from..columns.len());
+        wide.extend((first..columns.len()).map(|c| (c, None)));
+        own.push(from..wide.len());
     }
+    let here =
+        |row: &[f64], (column, record): (usize, Option<usize>), r: usize| if record.is_none_or(|k| k == r) { row[column] } else { 0.0 };
     let passes = passes(model, p, tracks, noise, &columns)?;
     let count = columns.len();
 
@@ -107,7 +128,7 @@ pub fn screen(
             base.push((c, None));
         }
     }
-    let (b, m) = (base.len(), count - fitted.len());
+    let (b, m) = (base.len(), wide.len());
     let samples: usize = passes.iter().map(|pass| pass.z.len()).sum();
     let mut gram = DMatrix::<f64>::zeros(b, b);
     let mut cross = DMatrix::<f64>::zeros(b, m + 1);
@@ -119,10 +140,10 @@ pub fn screen(
                 for &(j, cj) in &of {
                     gram[(i, j)] += row[ci] * row[cj];
                 }
-                for (j, value) in row[fitted.len()..].iter().enumerate() {
-                    cross[(i, j)] += row[ci] * value;
+                for (j, column) in wide.iter().enumerate() {
+                    cross[(i, j)] += row[ci] * here(row, *column, r);
                 }
-                cross[(i, m)] += row[ci] * z;
+                cross[(i, m)] += row[ci] * z.clamp(-TAIL, TAIL);
             }
         }
     }
@@ -143,9 +164,9 @@ pub fn screen(
             base.iter().enumerate().filter(|(_, (_, record))| record.is_none_or(|k| k == r)).map(|(k, (c, _))| (k, *c)).collect();
         for ((z, row), (k, _)) in pass.z.iter().zip(pass.jacobian.chunks_exact(count)).zip(&pass.at) {
             let out = &mut residual[at * m..(at + 1) * m];
-            out.copy_from_slice(&row[fitted.len()..]);
+            out.iter_mut().zip(&wide).for_each(|(out, column)| *out = here(row, *column, r));
             whole.iter_mut().zip(out.iter()).for_each(|(w, v)| *w += v * v);
-            let mut z = *z;
+            let mut z = z.clamp(-TAIL, TAIL);
             for &(i, ci) in &of {
                 let value = row[ci];
                 if value != 0.0 {
@@ -164,7 +185,6 @@ pub fn screen(
     let mut scores = Vec::new();
     let mut tests = Vec::new();
     for range in &own {
-        let range = range.start - fitted.len()..range.end - fitted.len();
         let test = Test::new(&all, &whole, range.clone());
         scores.push(score(&test, &residual, m, &innovation, &record_of, &time_of));
         tests.push(test);

@@ -67,8 +67,16 @@ impl State {
         let Question { base, asked, options } = *ask;
         // one model with all candidates at their null values, beside what was accepted
         let mut included = self.accepted.clone();
-        included.extend(left.iter().map(|e| include(e, &[], Vec::new(), tracks)));
         let accepted = self.accepted.len();
+        // those of the day are seen through their siblings
+        let mut column: Vec<usize> = Vec::new();
+        for e in left {
+            let sibling = included.iter().position(|i| e.by_record && i.effect.id == e.id && i.effect.place == e.place);
+            column.push(sibling.unwrap_or(included.len()));
+            if sibling.is_none() {
+                included.push(include(&Effect { by_record: false, ..(*e).clone() }, &[], Vec::new(), tracks));
+            }
+        }
         let texts = prepare(base, asked, &included, accepted)?;
         let carried = |p: &[f64]| carry(&self.prepared, p, &texts);
         let p: Vec<Vec<f64>> = self.fitted.found.p.iter().map(|p| carried(p)).collect();
@@ -82,14 +90,16 @@ impl State {
         for (k, e) in left.iter().enumerate() {
             match (&other[k], e.signature) {
                 (Some(model), Signature::Towards) => seen.push(Seen::Towards(&model.model)),
-                _ => seen.push(Seen::Effect(e, texts.of_effect[accepted + k].clone())),
+                _ if e.by_record => seen.push(Seen::ByRecord(texts.of_effect[column[k]].clone())),
+                _ => seen.push(Seen::Effect(e, texts.of_effect[column[k]].clone())),
             }
         }
         let choices = ScreenOptions { family: options.family, seed: options.seed };
-        let mean = carried(&self.fitted.mean());
-        let begun: Vec<Track> = held.iter().map(|track| track.begun(&texts.model, &mean)).collect();
+        let of_test: Vec<Vec<f64>> = self.fitted.of_test.iter().take(held.len()).map(|p| carried(p)).collect();
+        let begun: Vec<Track> = held.iter().zip(&of_test).map(|(track, p)| track.begun(&texts.model, p)).collect();
         // a test record that cannot be followed shows nothing
-        let in_test = screen(&texts, &vec![mean; held.len()], &noise, &begun, &seen, choices).unwrap_or_default();
+        let in_test =
+            if begun.is_empty() { Vec::new() } else { screen(&texts, &of_test, &noise, &begun, &seen, choices).unwrap_or_default() };
         let in_test = in_test.into_iter().map(|s| s.minimal_detectable).collect();
         let count = seen.len();
         seen.extend(unnamed(&texts, &self.scales(tracks)));
@@ -111,7 +121,7 @@ impl State {
     }
 
     /// The significant candidates that explain most, refitted in a hurry; the best first.
-    pub fn try_best(&self, ask: &Question<'_>, left: &[&Effect], round: &Round, tracks: &mut [Track]) -> Vec<Tried> {
+    pub fn try_best(&self, ask: &Question<'_>, left: &[&Effect], round: &Round, tracks: &mut [Track], held: &[Track]) -> Vec<Tried> {
         let options = ask.options;
         let scores = &round.scores[..left.len()];
         let speaks = |s: &Score| {
@@ -149,7 +159,7 @@ impl State {
             let mut included = self.accepted.clone();
             included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
-            let Some(found) = self.hurried(ask, included, index, &self.fitted, tracks) else { continue };
+            let Some(found) = self.hurried(ask, included, index, &self.fitted, (&mut *tracks, held)) else { continue };
             // judged by its likelihood ratio, as one of the family
             let ratio = 2.0 * (found.fitted.found.log_likelihood - self.fitted.found.log_likelihood);
             if finite && beyond(ratio, scores[index].degrees.max(1)) * left.len() as f64 > options.family {
@@ -181,13 +191,33 @@ impl State {
         tried
     }
 
+    /// The same effect with a value for each record.
+    pub fn of_the_day(&self, ask: &Question<'_>, left: &[&Effect], t: &Tried, tracks: &mut [Track], held: &[Track]) -> Option<Tried> {
+        let sibling = |i: usize| left.iter().position(|e| e.by_record && e.id == left[i].id && e.place == left[i].place);
+        let index = sibling(t.index)?;
+        let start: Vec<f64> = t.prepared.of_effect.last()?.iter().map(|&i| t.fitted.mean()[i]).collect();
+        let mut included = self.accepted.clone();
+        included.push(include(left[index], &start, Vec::new(), tracks));
+        let found = self.hurried(ask, included, index, &self.fitted, (tracks, held))?;
+        let equivalent = t.equivalent.iter().filter_map(|&i| sibling(i)).collect();
+        Some(Tried { equivalent, ..found })
+    }
+
     /// A refit in which the noise stays as it is.
-    fn hurried(&self, ask: &Question<'_>, included: Vec<Included>, index: usize, from: &Fitted, tracks: &mut [Track]) -> Option<Tried> {
-        let (prepared, fitted) = refit(ask.base, ask.asked, &included, from, tracks, false).ok()?;
+    fn hurried(
+        &self,
+        ask: &Question<'_>,
+        included: Vec<Included>,
+        index: usize,
+        from: &Fitted,
+        (tracks, held): (&mut [Track], &[Track]),
+    ) -> Option<Tried> {
+        let (prepared, fitted) = refit(ask.base, ask.asked, &included, from, (tracks, held), false).ok()?;
         let last = prepared.of_effect.last().into_iter().chain(prepared.of_shape.last()).flatten();
-        let degrees = last.filter(|&&i| prepared.specs[i].free).count();
+        let values = |i: &usize| if prepared.specs[*i].per_record { tracks.len() } else { 1 };
+        let degrees: usize = last.filter(|&&i| prepared.specs[i].free).map(values).sum();
         let value = fitted.found.log_likelihood - spent(degrees, fitted.found.samples);
-        Some(Tried { index, value, included, prepared, fitted, equivalent: Vec::new(), per_record: false })
+        Some(Tried { index, value, included, prepared, fitted, equivalent: Vec::new() })
     }
 
     /// Refits `t` to the end; drops from its class what its own noise, or the other records, can tell
@@ -202,7 +232,7 @@ impl State {
         held: &[Track],
     ) -> Result<(), DiagnoseError> {
         let scores = &round.scores[..left.len()];
-        thorough(ask, t, tracks);
+        thorough(ask, t, (&mut *tracks, held));
         let total = |tried: &Tried, noise: &Noise| -> Result<f64, DiagnoseError> {
             let likelihoods = likelihoods(&tried.prepared, &tried.fitted, noise, held)?;
             let of = |l: &Option<Vec<f64>>| l.as_ref().map_or(f64::NEG_INFINITY, |l| l.iter().sum());
@@ -213,11 +243,11 @@ impl State {
             let step: Vec<f64> = scores[i].step.iter().map(|s| s.0).collect();
             let mut included = self.accepted.clone();
             included.push(include(left[i], &step, untold(&scores[i]), tracks));
-            let Some(mut rival) = self.hurried(ask, included, i, &t.fitted, tracks) else { continue };
+            let Some(mut rival) = self.hurried(ask, included, i, &t.fitted, (&mut *tracks, held)) else { continue };
             let worth = total(&rival, &t.fitted.found.noise)?;
             let best = rivals[0].1;
             rivals.push((i, worth));
-            if worth > best + SEPARATES && thorough(ask, &mut rival, tracks) {
+            if worth > best + SEPARATES && thorough(ask, &mut rival, (&mut *tracks, held)) {
                 *t = rival;
                 rivals.swap_remove(0);
                 rivals.insert(0, (i, total(t, &t.fitted.found.noise)?));
@@ -244,15 +274,15 @@ fn spent(degrees: usize, samples: usize) -> f64 {
 }
 
 /// Refits to the end.
-fn thorough(ask: &Question<'_>, t: &mut Tried, tracks: &mut [Track]) -> bool {
-    let Ok((prepared, fitted)) = refit(ask.base, ask.asked, &t.included, &t.fitted, tracks, true) else { return false };
+fn thorough(ask: &Question<'_>, t: &mut Tried, (tracks, held): (&mut [Track], &[Track])) -> bool {
+    let Ok((prepared, fitted)) = refit(ask.base, ask.asked, &t.included, &t.fitted, (tracks, held), true) else { return false };
     (t.prepared, t.fitted) = (prepared, fitted);
     true
 }
 
 /// An effect with coefficients to start from.
 fn include(effect: &Effect, step: &[f64], held: Vec<bool>, tracks: &[Track]) -> Included {
-    Included { held, effect: effect.clone(), per_record: false, start: begin(effect, step, tracks) }
+    Included { held, effect: effect.clone(), start: begin(effect, step, tracks) }
 }
 
 /// Parameters of an effect that the fitted ones have already: they stay at zero.

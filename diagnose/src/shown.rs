@@ -4,7 +4,6 @@
 //! One Gauss-Newton step from the refitted model along the effect's own parameters, the fitted parameters of the rig free beside it, so
 //! that a rig that is slightly different on another day does not count against the effect.
 
-use crate::base_fit::Fitted;
 use crate::model::Prepared;
 use ident::fit::FitError;
 use ident::innovations::{Column, Noise, Pass, Track, pass};
@@ -43,15 +42,14 @@ pub enum Way<'a> {
     From(&'a dyn Model),
 }
 
-/// The share that a record shows of the effect in the refitted model. `None` where the record cannot be followed, or says nothing.
+/// The share that a record shows of the effect in the refitted model, whose parameters for it are `p`. `None` where the record cannot be followed, or says nothing.
 ///
 /// # Errors
 /// As [`ident::innovations::pass`].
-pub fn share(prepared: &Prepared, fitted: &Fitted, way: &Way<'_>, noise: &Noise, track: &Track) -> Result<Option<Share>, FitError> {
+pub fn share(prepared: &Prepared, p: &[f64], way: &Way<'_>, noise: &Noise, track: &Track) -> Result<Option<Share>, FitError> {
     let model: &dyn Model = &prepared.model;
-    let p = fitted.mean();
     let noise = prepared.noise(noise);
-    let track = track.begun(model, &p);
+    let track = track.begun(model, p);
     let own: &[usize] = match way {
         Way::Parameters(own) => own,
         Way::From(_) => &[],
@@ -62,7 +60,7 @@ pub fn share(prepared: &Prepared, fitted: &Fitted, way: &Way<'_>, noise: &Noise,
         Way::Parameters(own) => columns.extend(own.iter().map(|&i| Column::Parameter(i))),
         Way::From(other) => columns.push(Column::Towards(*other)),
     }
-    let Some(pass) = pass(model, &p, &track, &noise, &columns)? else { return Ok(None) };
+    let Some(pass) = pass(model, p, &track, &noise, &columns)? else { return Ok(None) };
     // along the effect as it was found; towards a model that lacks it is the way back
     let along: Vec<f64> = match way {
         Way::Parameters(own) => own.iter().map(|&i| p[i]).collect(),

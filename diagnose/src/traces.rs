@@ -52,10 +52,17 @@ pub fn pushed(prepared: &Prepared, p: &[Vec<f64>], noise: &Noise, tracks: &[Trac
 }
 
 /// Free runs of the refitted base over all records.
-pub fn before(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Record], test: &[Record], hold: Hold) -> Vec<Overlaid> {
+pub fn before(
+    model: &dyn Model,
+    p_train: &[Vec<f64>],
+    p_test: &[Vec<f64>],
+    train: &[Record],
+    test: &[Record],
+    hold: Hold,
+) -> Vec<Overlaid> {
     let mut all = Vec::new();
-    let held = test.iter().map(|record| (record, p, true));
-    for (record, p, held_out) in train.iter().zip(p_train).map(|(record, p)| (record, p.as_slice(), false)).chain(held) {
+    let held = test.iter().zip(p_test).map(|(record, p)| (record, p, true));
+    for (record, p, held_out) in train.iter().zip(p_train).map(|(record, p)| (record, p, false)).chain(held) {
         for (signal, measured, simulated) in run(model, p, record, hold) {
             let output = (0..model.dimensions().outputs).find(|&i| model.names().output(i) == signal);
             all.push(Overlaid {
@@ -74,9 +81,17 @@ pub fn before(model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Recor
 }
 
 /// The same of the patched model, beside what [`before`] gave.
-pub fn after(all: &mut [Overlaid], model: &dyn Model, p_train: &[Vec<f64>], p: &[f64], train: &[Record], test: &[Record], hold: Hold) {
-    let held = test.iter().map(|record| (record, p, true));
-    for (record, p, held_out) in train.iter().zip(p_train).map(|(record, p)| (record, p.as_slice(), false)).chain(held) {
+pub fn after(
+    all: &mut [Overlaid],
+    model: &dyn Model,
+    p_train: &[Vec<f64>],
+    p_test: &[Vec<f64>],
+    train: &[Record],
+    test: &[Record],
+    hold: Hold,
+) {
+    let held = test.iter().zip(p_test).map(|(record, p)| (record, p, true));
+    for (record, p, held_out) in train.iter().zip(p_train).map(|(record, p)| (record, p, false)).chain(held) {
         for (signal, _, simulated) in run(model, p, record, hold) {
             if let Some(own) = all.iter_mut().find(|o| o.record == record.source && o.held_out == held_out && o.signal == signal) {
                 own.after = Some(simulated);

@@ -2,10 +2,10 @@
 //!
 //! look at the records -> fit the base -> where -> screen -> refit the few best -> accept one or none -> again -> verdict -> patch.
 
-use crate::accept::{Bench, Refusal, judge};
+use crate::accept::{Bench, Refusal, Tried, judge};
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
 use crate::base_fit::{Fitted, fit_base, refit};
-use crate::effects::{Effect, IDS, Scales, catalogue};
+use crate::effects::{Effect, IDS, Scales, by_record, catalogue};
 use crate::error::DiagnoseError;
 use crate::figures::{Judged, Measured, View, figures, predictions, shrink, view};
 use crate::locate::locate;
@@ -22,6 +22,7 @@ use ident::innovations::{Noise, Track};
 use ident::record::{Record, averaged};
 use runtime::Model;
 use sim::Hold;
+use std::collections::VecDeque;
 use std::time::Instant;
 
 /// Log-likelihood by which a refused effect must be ahead of another for that one to be its shadow.
@@ -92,7 +93,7 @@ pub fn diagnose(
         return Ok(answer);
     }
     tell("fitting the base ..");
-    let (fitted, asked) = fit_base(&plain, asked, train, &mut tracks, options)?;
+    let (fitted, asked) = fit_base(&plain, asked, train, &mut tracks, &held, options)?;
     let asked = &asked[..];
     tell(&format!("  {}", in_words(&plain, &fitted.found.noise)));
     answer.faults = strangers(&plain, &fitted.found.p, &p0, &fitted.found.noise, &tracks)?;
@@ -102,26 +103,25 @@ pub fn diagnose(
         answer.seconds = began.elapsed().as_secs_f64();
         return Ok(answer);
     }
-    let mean = fitted.mean();
     let trained = Measured { records: train, tracks: &tracks.clone() };
     let tested = Measured { records: test, tracks: &held };
     let mut seen = View { hold: options.hold, horizon: None };
-    answer.before = figures(fitted.judged(&plain, &mean), Some(trained), tested, seen);
+    answer.before = figures(fitted.judged(&plain), Some(trained), tested, seen);
     let longest = train.iter().map(Record::duration).fold(0.0, f64::max);
     seen = view(&answer.before, integrates(&plain, &fitted.mean(), longest), ahead(&plain, &p0), options.hold);
     if seen.horizon.is_some() {
-        answer.before = figures(fitted.judged(&plain, &mean), Some(trained), tested, seen);
+        answer.before = figures(fitted.judged(&plain), Some(trained), tested, seen);
     }
-    let given = vec![p0.clone(); tracks.len()];
+    let given = vec![p0.clone(); tracks.len().max(held.len())];
     answer.published =
-        figures(Judged { prepared: &plain, noise: &fitted.found.noise, p_train: &given, p: &p0 }, Some(trained), tested, seen);
+        figures(Judged { prepared: &plain, noise: &fitted.found.noise, p_train: &given, p_test: &given }, Some(trained), tested, seen);
     answer.after = answer.before.clone();
     answer.noise = Some(fitted.found.noise.clone());
     tell("where do they disagree? ..");
     answer.places = locate(&plain, &fitted.found.p, &fitted.found.noise, &tracks)?;
     if options.traces {
         answer.pushed = traces::pushed(&plain, &fitted.found.p, &fitted.found.noise, &tracks, train)?;
-        answer.runs = traces::before(&plain.model, &fitted.found.p, &fitted.mean(), train, test, options.hold);
+        answer.runs = traces::before(&plain.model, &fitted.found.p, &fitted.of_test, train, test, options.hold);
     }
     if options.until == Step::Where {
         "stopped after the base fit".clone_into(&mut answer.because);
@@ -130,16 +130,16 @@ pub fn diagnose(
     }
 
     let scales = scales(&plain, &tracks, &fitted);
-    let effects = chosen(base, &scales, options)?;
+    let mut effects = chosen(base, &scales, options)?;
+    if train.len() > 1 {
+        effects.extend(by_record(&effects));
+    }
     let mut current = State { prepared: plain, fitted, accepted: Vec::new() };
     let base_state_names: Vec<(String, String, f64, f64)> = current.free_parameters();
     let base_figures = answer.before.clone();
     // acceptance looks at predictions: many starts scatter less than one free run, which may go over the top
     let horizon = seen.horizon.unwrap_or(ahead(&current.prepared, &p0));
-    let predicted = |fitted: &Fitted, prepared: &Prepared| -> Vec<_> {
-        let mean = fitted.mean();
-        held.iter().map(|track| predictions(fitted.judged(prepared, &mean), &mean, track, horizon)).collect()
-    };
+    let predicted = |fitted: &Fitted, prepared: &Prepared| predictions(fitted.judged(prepared), &held, horizon);
     let mut at_gate = predicted(&current.fitted, &current.prepared);
     let mut rejected: Vec<Rejected> = Vec::new();
     let ask = Question { base, asked, options };
@@ -160,12 +160,12 @@ pub fn diagnose(
         if options.until == Step::Screen || current.accepted.len() >= options.most_effects {
             break;
         }
-        let chosen = current.try_best(&ask, &left, &round, &mut tracks);
+        let mut chosen: VecDeque<Tried> = current.try_best(&ask, &left, &round, &mut tracks, &held).into();
         let mut accepted = None;
         // what is refused although it explains the records far better than another leaves that one no reason
         let mut refused = f64::NEG_INFINITY;
         let mut judged = 0;
-        for mut tried in chosen {
+        while let Some(mut tried) = chosen.pop_front() {
             let (first, value) = (left[tried.index], tried.value);
             let why = if value < refused - FAR {
                 Refusal::Shadow
@@ -188,6 +188,14 @@ pub fn diagnose(
             tell(&format!("  {}: {why}", effect.title()));
             // five families in a hundred speak where nothing is missing
             let significant = round.scores[tried.index].p_family < 0.2 * options.family && why != Refusal::Shadow;
+            // sizes that differ from record to record may belong to the day
+            if matches!(why, Refusal::Contradiction { .. } | Refusal::NoGain(_))
+                && effect.of_the_day
+                && !effect.by_record
+                && let Some(of_the_day) = current.of_the_day(&ask, &left, &tried, &mut tracks, &held)
+            {
+                chosen.push_front(of_the_day);
+            }
             rejected.push(Rejected { effect: effect.clone(), why, significant, turn });
         }
         let Some((tried, verdict)) = accepted else { break };
@@ -201,21 +209,21 @@ pub fn diagnose(
             equivalent: tried.equivalent.iter().map(|&i| (left[i].id.clone(), left[i].place.clone())).collect(),
             p_value: round.scores[tried.index].p_family,
             heldout_gain: verdict.gain,
-            per_record: tried.per_record,
+            error_ratio: verdict.error_ratio,
+            per_record: effect.by_record,
         };
         answer.findings.push(finding);
-        answer.after = figures(tried.fitted.judged(&tried.prepared, &tried.fitted.mean()), Some(trained), tested, seen);
-        at_gate = verdict.predictions;
+        answer.after = figures(tried.fitted.judged(&tried.prepared), Some(trained), tested, seen);
         current = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
+        at_gate = predicted(&current.fitted, &current.prepared);
         // what an earlier effect stood for may have been this one
         if let Some(drop) = current.superfluous().filter(|drop| drop + 1 < current.accepted.len()) {
             tell(&format!("  dropped again: {}", current.accepted[drop].effect.title()));
             let mut fewer = current.accepted.clone();
             fewer.remove(drop);
-            if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, &mut tracks, true) {
+            if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, (&mut tracks, &held), true) {
                 answer.findings.remove(drop);
-                let mean = fitted.mean();
-                answer.after = figures(fitted.judged(&prepared, &mean), Some(trained), tested, seen);
+                answer.after = figures(fitted.judged(&prepared), Some(trained), tested, seen);
                 at_gate = predicted(&fitted, &prepared);
                 current = State { prepared, fitted, accepted: fewer };
             }
@@ -223,11 +231,10 @@ pub fn diagnose(
     }
     if options.traces && !answer.findings.is_empty() {
         let found = &current.fitted.found;
-        traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.mean(), train, test, options.hold);
+        traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.of_test, train, test, options.hold);
     }
     finish(base, &mut answer, &current, &base_state_names, (&rejected, turn), left_over, train)?;
-    let mean = current.fitted.mean();
-    answer.gap_shrink = shrink(current.fitted.judged(&current.prepared, &mean), &held, &base_figures, &answer.after);
+    answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
 }

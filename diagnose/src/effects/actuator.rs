@@ -31,6 +31,7 @@ fn map(
         edit: Edit::Map { input, factor, addend, screened: None },
         signature: Signature::Parameters,
         of_the_day: false,
+        by_record: false,
     }
 }
 
@@ -104,6 +105,7 @@ fn timing(rig: &Rig, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
             edit: Edit::Path { input: j, entry, value: name },
             signature: Signature::InputDelay(j),
             of_the_day: false,
+            by_record: false,
         });
     }
 }
@@ -120,6 +122,7 @@ fn couplings(rig: &Rig, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
         edit: Edit::Add(statement),
         signature: Signature::Parameters,
         of_the_day: false,
+        by_record: false,
     };
     if free.len() < 2 {
         return;

@@ -5,7 +5,16 @@ use model_dsl::rig::{AssumptionKind, FrameRef, Rig};
 
 pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
     let mut add = |id: &str, place: &str, parameters: Vec<EffectParameter>, edit: Edit, signature: Signature| {
-        out.push(Effect { id: id.to_owned(), place: place.to_owned(), parameters, shape: None, edit, signature, of_the_day: false });
+        out.push(Effect {
+            id: id.to_owned(),
+            place: place.to_owned(),
+            parameters,
+            shape: None,
+            edit,
+            signature,
+            of_the_day: false,
+            by_record: false,
+        });
     };
     for (k, body) in rig.bodies.iter().enumerate() {
         let FrameRef::Frame(frame) = body.frame else { continue };
@@ -39,6 +48,7 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
             edit: Edit::Gravity(along),
             signature: Signature::Parameters,
             of_the_day: true,
+            by_record: false,
         });
     }
     for (k, assumption) in rig.assumptions.iter().enumerate() {
@@ -61,6 +71,7 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
             edit: Edit::Assumption(k),
             signature: Signature::Towards,
             of_the_day: false,
+            by_record: false,
         });
     }
 }

@@ -32,7 +32,16 @@ fn turns(rig: &Rig, scales: &Scales, i: usize) -> bool {
 
 fn add(id: &str, place: &str, parameters: Vec<EffectParameter>, shape: Option<String>, statement: String) -> Effect {
     let signature = Signature::Parameters;
-    Effect { id: id.to_owned(), place: place.to_owned(), parameters, shape, edit: Edit::Add(statement), signature, of_the_day: false }
+    Effect {
+        id: id.to_owned(),
+        place: place.to_owned(),
+        parameters,
+        shape,
+        edit: Edit::Add(statement),
+        signature,
+        of_the_day: false,
+        by_record: false,
+    }
 }
 
 fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut Vec<Effect>) {

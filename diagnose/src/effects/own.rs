@@ -84,7 +84,7 @@ pub fn read_own(text: &str) -> Result<Vec<Effect>, OwnError> {
                 .map(|p| EffectParameter { name: p.name, unit: p.unit, positive: p.positive, doc: p.doc, shape: None })
                 .collect();
             let (edit, signature) = (Edit::Add(e.text), Signature::Parameters);
-            Ok(Effect { id: e.id, place: e.place, parameters, shape: None, edit, signature, of_the_day: false })
+            Ok(Effect { id: e.id, place: e.place, parameters, shape: None, edit, signature, of_the_day: false, by_record: false })
         })
         .collect()
 }

@@ -11,7 +11,7 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
         let mut add = |id: &str, place: String, p: EffectParameter, entry: &'static str, signature: Signature, of_the_day: bool| {
             let value = p.name.clone();
             let edit = Edit::Output { output, entry, value };
-            out.push(Effect { id: id.to_owned(), place, parameters: vec![p], shape: None, edit, signature, of_the_day });
+            out.push(Effect { id: id.to_owned(), place, parameters: vec![p], shape: None, edit, signature, of_the_day, by_record: false });
         };
         let name = names.free(&format!("y_0_{}", y.name));
         add("sensor_bias", y.name.clone(), parameter(&name, unit_text, false, "zero of the sensor"), "bias", Signature::Parameters, true);
@@ -41,6 +41,7 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
                 edit: Edit::Output { output, entry: "value", value },
                 signature: Signature::Parameters,
                 of_the_day: false,
+                by_record: false,
             });
         }
     }
