@@ -8,6 +8,7 @@ use crate::model::{Included, Prepared};
 use crate::options::Options;
 use crate::shown::{Share, Way, share};
 use ident::innovations::{Ahead, Track};
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// A refitted candidate.
@@ -88,8 +89,10 @@ const DIFFER: f64 = 0.01;
 const SAME_SIZE: f64 = 0.1;
 /// Smallest share of the gap that an effect must close.
 const CLOSES: f64 = 0.10;
-/// Squared errors that differ by less are equal; where the gap is no larger than random forces make it, equal runs differ by chance.
-const EQUAL: (f64, f64) = (1.01, 1.05);
+/// Largest squared error of predictions over that without the effect: beyond, no scatter excuses it.
+const WORSE: f64 = 1.1;
+/// Normal quantile of one-sided tests at 5 %.
+const ONE_SIDED: f64 = 1.645;
 
 /// Records, and the refitted base on them, by which a candidate is judged.
 pub struct Bench<'a> {
@@ -120,9 +123,9 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     let weighed = if by_record {
         let p_before = from_first_halves(bench.prepared, &bench.fitted.found, &later);
         let old = figures::Judged { p_test: &p_before, ..bench.fitted.judged(bench.prepared) };
-        weigh(&predictions(old, &later, bench.horizon), &after)
+        weigh(&predictions(old, &later, bench.horizon), &after, bench.horizon)
     } else {
-        weigh(bench.before, &after)
+        weigh(bench.before, &after, bench.horizon)
     };
     let error_ratio = weighed.iter().map(|w| w.after / w.before).sum::<f64>() / weighed.len().max(1) as f64;
     let refuse = |why: Refusal, gain: (f64, f64)| Ok(Judged { refused: Some(why), gain, error_ratio });
@@ -163,17 +166,16 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         return refuse(Refusal::Contradiction { p, shares: told }, gain);
     }
     let Some(pooled) = pooled else { return refuse(Refusal::Untold(None), gain) };
-    if gain.0 <= gain.1 * (1.645 / 1.96) {
+    if gain.0 <= gain.1 * (ONE_SIDED / 1.96) {
         let whole = pooled.value + 1.96 * pooled.sd.hypot(SAME_SIZE) > 1.0;
         return refuse(if whole { Refusal::Untold(Some(pooled)) } else { Refusal::NoGain(pooled) }, gain);
     }
     // where what is there is no larger than noise makes it, there is no gap to close
-    let gaps: Vec<f64> = weighed.iter().filter(|w| w.before > NONE * w.floor).map(Weighed::closed).collect();
-    let best = gaps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if best < CLOSES && !gaps.is_empty() {
-        return refuse(Refusal::Small(best), gain);
+    let gaps: Vec<&Weighed> = weighed.iter().filter(|w| w.before > NONE * w.floor).collect();
+    if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) {
+        return refuse(Refusal::Small(gaps.iter().map(|w| w.closed()).fold(f64::NEG_INFINITY, f64::max)), gain);
     }
-    if error_ratio > if gaps.is_empty() { EQUAL.1 } else { EQUAL.0 } {
+    if weighed.iter().any(Weighed::worse) || error_ratio > WORSE {
         return refuse(Refusal::Worse, gain);
     }
     Ok(Judged { refused: None, gain, error_ratio })
@@ -214,31 +216,56 @@ struct Weighed {
     after: f64,
     /// What the noise of the model after makes.
     floor: f64,
+    /// Standard error of `before - after`; predictions overlap.
+    sd: f64,
 }
 
 impl Weighed {
     fn closed(&self) -> f64 {
         1.0 - (self.after - self.floor).max(0.0) / (self.before - self.floor)
     }
+
+    fn closes_less_than(&self, share: f64) -> bool {
+        self.before - self.after + ONE_SIDED * self.sd < share * (self.before - self.floor)
+    }
+
+    fn worse(&self) -> bool {
+        self.after - self.before > ONE_SIDED * self.sd
+    }
 }
 
-fn weigh(before: &[Vec<Ahead>], after: &[Vec<Ahead>]) -> Vec<Weighed> {
-    let outputs: Vec<usize> = before.iter().flatten().map(|a| a.output).collect::<std::collections::BTreeSet<_>>().into_iter().collect();
+fn weigh(before: &[Vec<Ahead>], after: &[Vec<Ahead>], horizon: f64) -> Vec<Weighed> {
+    let outputs: BTreeSet<usize> = before.iter().flatten().map(|a| a.output).collect();
     let of = |output: usize| {
-        let mut sum = [0.0; 4];
+        let mut sum = [0.0; 3];
+        let mut gained: Vec<Vec<f64>> = Vec::new();
+        let mut lags = 1;
         for (b, a) in before.iter().zip(after) {
             let own = |all: &[Ahead]| all.iter().position(|a| a.output == output);
             let (Some(b), Some(a)) = (own(b).map(|k| &b[k]), own(a).map(|k| &a[k])) else { continue };
+            let mut of_record = Vec::new();
             for k in 0..b.t.len().min(a.t.len()) {
                 let variance = b.floor[k].max(a.floor[k]).powi(2);
                 let parts = [b.error[k].powi(2), a.error[k].powi(2), a.floor[k].powi(2)].map(|v| v / variance);
                 if parts.iter().all(|v| v.is_finite()) {
-                    sum.iter_mut().zip(parts.into_iter().chain([1.0])).for_each(|(s, v)| *s += v);
+                    sum.iter_mut().zip(parts).for_each(|(s, v)| *s += v);
+                    of_record.push(parts[0] - parts[1]);
                 }
             }
+            lags = lags.max(b.t.iter().take_while(|t| **t < b.t[0] + horizon).count());
+            gained.push(of_record);
         }
-        let [before, after, floor, count] = sum;
-        (count > 0.0).then(|| Weighed { before: before / count, after: after / count, floor: floor / count })
+        let count = gained.iter().map(Vec::len).sum::<usize>() as f64;
+        let mean = (sum[0] - sum[1]) / count;
+        let mut variance = 0.0;
+        for record in &gained {
+            for lag in 0..=lags.min(record.len().saturating_sub(1)) {
+                let weight = if lag == 0 { 1.0 } else { 2.0 * (1.0 - lag as f64 / (lags as f64 + 1.0)) };
+                variance += weight * record.iter().zip(&record[lag..]).map(|(x, y)| (x - mean) * (y - mean)).sum::<f64>();
+            }
+        }
+        let [before, after, floor] = sum.map(|s| s / count);
+        (count > 0.0).then(|| Weighed { before, after, floor, sd: variance.max(0.0).sqrt() / count })
     };
     outputs.into_iter().filter_map(of).collect()
 }
