@@ -49,3 +49,9 @@ pub fn beyond(value: f64, degrees: usize) -> f64 {
 pub fn quantile(p: f64) -> f64 {
     Normal::standard().inverse_cdf(p.clamp(1e-300, 1.0 - 1e-16))
 }
+
+/// Standard normal distribution function.
+#[must_use]
+pub fn below(z: f64) -> f64 {
+    Normal::standard().cdf(z)
+}

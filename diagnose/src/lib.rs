@@ -19,6 +19,7 @@ mod figures;
 pub mod forces;
 mod locate;
 mod model;
+mod next;
 mod options;
 pub mod patch;
 mod quality;

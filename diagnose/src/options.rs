@@ -23,6 +23,8 @@ pub struct Options<'a> {
     pub method: Method,
     /// Series that show the answer are handed over too.
     pub traces: bool,
+    /// Where the answer is open, the experiment that would tell is looked for.
+    pub next: bool,
     /// Told what is going on.
     pub progress: &'a (dyn Fn(&str) + Sync),
 }
@@ -71,6 +73,7 @@ impl Default for Options<'_> {
             until: Step::Patch,
             method: Method::default(),
             traces: false,
+            next: false,
             progress: &|_| {},
         }
     }

@@ -15,7 +15,7 @@ use ident::innovations::{Noise, Track};
 use runtime::Model;
 
 /// Log-likelihood by which one effect must be ahead of another of its class, over all records, to be told from it (odds of 100 to 1).
-const SEPARATES: f64 = 4.6;
+pub(crate) const SEPARATES: f64 = 4.6;
 
 /// Classes whose first member is refitted.
 const CLASSES: usize = 8;
@@ -317,7 +317,7 @@ fn towards(base: &Base, asked: &[ParameterSpec], included: &[Included], accepted
 }
 
 /// Parameters by name from one model to another.
-fn carry(from: &Prepared, p: &[f64], to: &Prepared) -> Vec<f64> {
+pub(crate) fn carry(from: &Prepared, p: &[f64], to: &Prepared) -> Vec<f64> {
     to.specs.iter().map(|s| from.specs.iter().position(|o| o.name == s.name).map_or(s.value, |i| p[i])).collect()
 }
 

@@ -10,6 +10,7 @@ use crate::error::DiagnoseError;
 use crate::figures::{Judged, Measured, View, figures, predictions, shrink, view};
 use crate::locate::locate;
 use crate::model::{Prepared, prepare};
+use crate::next::{Open, propose};
 use crate::options::{Options, Step};
 use crate::patch::Base;
 use crate::quality::{ahead, integrates, look, mended, mistaken, strangers, stride};
@@ -143,6 +144,8 @@ pub fn diagnose(
     let mut at_gate = predicted(&current.fitted, &current.prepared);
     let mut rejected: Vec<Rejected> = Vec::new();
     let ask = Question { base, asked, options };
+    // what the training records ask for and the test records cannot show
+    let mut unconfirmed: Option<State> = None;
     let mut left_over;
     let mut turn = 0;
     loop {
@@ -196,7 +199,11 @@ pub fn diagnose(
             {
                 chosen.push_front(of_the_day);
             }
+            let untold = matches!(why, Refusal::Untold(_)) && significant;
             rejected.push(Rejected { effect: effect.clone(), why, significant, turn });
+            if untold && unconfirmed.is_none() {
+                unconfirmed = Some(State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted });
+            }
         }
         let Some((tried, verdict)) = accepted else { break };
         tell(&format!("  accepted: {}", left[tried.index].title()));
@@ -233,10 +240,32 @@ pub fn diagnose(
         let found = &current.fitted.found;
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.of_test, train, test, options.hold);
     }
+    if options.next {
+        answer.next_experiment = next_experiment(&ask, &answer, &current, unconfirmed.as_ref(), &effects, &tracks);
+    }
     finish(base, &mut answer, &current, &base_state_names, (&rejected, turn), left_over, train)?;
     answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
+}
+
+/// The experiment that would settle what is open: an effect that has equivalents, or one that no test record can confirm.
+fn next_experiment(
+    ask: &Question<'_>,
+    answer: &Diagnosis,
+    current: &State,
+    unconfirmed: Option<&State>,
+    effects: &[Effect],
+    tracks: &[Track],
+) -> Option<String> {
+    (ask.options.progress)("the next experiment ..");
+    if let Some(k) = answer.findings.iter().position(|f| !f.equivalent.is_empty()) {
+        let named = |(id, place): &(String, String)| effects.iter().find(|e| e.id == *id && e.place == *place);
+        let rivals = answer.findings[k].equivalent.iter().filter_map(named).collect();
+        return propose(ask, &Open { with: current, effect: k, rivals }, tracks);
+    }
+    let with = unconfirmed?;
+    propose(ask, &Open { with, effect: with.accepted.len() - 1, rivals: Vec::new() }, tracks)
 }
 
 /// The noises: `random forces theta 0.006 N*m over 0.2 s; outputs theta 0.0002 rad`.

@@ -45,6 +45,7 @@ pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
             Steps::Patch => Step::Patch,
         },
         traces: args.out.is_some(),
+        next: true,
         progress: &|message| eprintln!("{message}"),
         ..Options::default()
     };
@@ -207,7 +208,9 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
         for c in found.candidates.iter().filter(|c| c.status != "not identifiable").take(6) {
             let sizes: Vec<String> = c.minimal_detectable.iter().map(|(n, v, u)| format!("{n} {} {u}", diagnose_digits(*v))).collect();
             let sizes = if sizes.is_empty() { String::new() } else { format!("   smallest that shows: {}", sizes.join(", ")) };
-            let _ = writeln!(text, "  {:5.1} sigma  class {:2}  {} on {}  [{}]{sizes}", c.score, c.class, c.effect, c.place, c.status);
+            let shape = c.shape.as_ref().map_or_else(String::new, |s| format!(" ({s})"));
+            let _ =
+                writeln!(text, "  {:5.1} sigma  class {:2}  {} on {}{shape}  [{}]{sizes}", c.score, c.class, c.effect, c.place, c.status);
         }
     }
     if !found.findings.is_empty() {

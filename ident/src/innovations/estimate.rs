@@ -221,6 +221,9 @@ pub fn estimate(
 /// Inverse of a normal matrix, scaled; directions without information have an infinite variance on their diagonal.
 fn inverse(normal: &DMatrix<f64>) -> DMatrix<f64> {
     let m = normal.nrows();
+    if m == 0 {
+        return normal.clone();
+    }
     let scale: Vec<f64> = (0..m).map(|i| normal[(i, i)].max(0.0).sqrt()).collect();
     let scaled = DMatrix::from_fn(m, m, |i, j| {
         let by = scale[i] * scale[j];
