@@ -161,7 +161,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     });
     let told: Vec<(String, Share)> =
         train.into_iter().chain(held).filter_map(|(name, s)| s.filter(|s| s.sd < 1.0).map(|s| (name, s))).collect();
-    let p = differ(&told);
+    let p = if by_record { stays(&told) } else { differ(&told) };
     if p < DIFFER {
         return refuse(Refusal::Contradiction { p, shares: told }, gain);
     }
@@ -206,6 +206,12 @@ fn differ(told: &[(String, Share)]) -> f64 {
     let Some(mean) = pool(wide.iter()) else { return 1.0 };
     let spread: f64 = wide.iter().map(|s| ((s.value - mean.value) / s.sd).powi(2)).sum();
     beyond(spread, wide.len() - 1)
+}
+
+/// p-value of second halves that show what their first halves did, both known about equally well.
+fn stays(told: &[(String, Share)]) -> f64 {
+    let off = told.iter().map(|(_, s)| (s.value - 1.0).powi(2) / (2.0 * s.sd.powi(2) + SAME_SIZE.powi(2))).sum();
+    beyond(off, told.len())
 }
 
 /// Mean squared errors of an output's predictions, each over the larger variance that the two models expect there: where a rig amplifies
