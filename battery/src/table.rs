@@ -41,7 +41,9 @@ pub fn covered(said: &Said, outcome: &Outcome, hidden: usize) -> bool {
 /// All hidden effects have one of their class among what was said, and nothing else was said.
 #[must_use]
 pub fn all_right(outcome: &Outcome) -> bool {
-    outcome.said.len() == outcome.hidden.len() && (0..outcome.hidden.len()).all(|k| outcome.said.iter().any(|s| right(s, outcome, k)))
+    !outcome.failed
+        && outcome.said.len() == outcome.hidden.len()
+        && (0..outcome.hidden.len()).all(|k| outcome.said.iter().any(|s| right(s, outcome, k)))
 }
 
 /// Effects whose text has numbers that the truth does not share: their sizes cannot be compared.

@@ -87,10 +87,14 @@ impl fmt::Display for Refusal {
 const DIFFER: f64 = 0.01;
 /// Shares that differ by less are equal: no model is exact.
 const SAME_SIZE: f64 = 0.1;
+/// Standard error of a share beyond which the test records say nothing of the effect.
+const TELLS: f64 = 0.5;
 /// Smallest share of the gap that an effect must close.
 const CLOSES: f64 = 0.10;
 /// Largest squared error of predictions over that without the effect: beyond, no scatter excuses it.
 const WORSE: f64 = 1.1;
+/// Normal quantile of one-sided tests at 1 %, several signals being asked.
+const CLEARLY: f64 = 2.326;
 /// Normal quantile of one-sided tests at 5 %.
 const ONE_SIDED: f64 = 1.645;
 
@@ -166,6 +170,9 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         return refuse(Refusal::Contradiction { p, shares: told }, gain);
     }
     let Some(pooled) = pooled else { return refuse(Refusal::Untold(None), gain) };
+    if pooled.sd > TELLS {
+        return refuse(Refusal::Untold(Some(pooled)), gain);
+    }
     if gain.0 <= gain.1 * (ONE_SIDED / 1.96) {
         let whole = pooled.value + 1.96 * pooled.sd.hypot(SAME_SIZE) > 1.0;
         return refuse(if whole { Refusal::Untold(Some(pooled)) } else { Refusal::NoGain(pooled) }, gain);
@@ -236,7 +243,7 @@ impl Weighed {
     }
 
     fn worse(&self) -> bool {
-        self.after - self.before > ONE_SIDED * self.sd
+        self.after - self.before > CLEARLY * self.sd
     }
 }
 

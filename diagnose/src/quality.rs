@@ -157,10 +157,21 @@ fn outliers(values: &[f64], quantum: f64, turn: Option<f64>) -> Vec<usize> {
     let step = if 4 * steps.len() < 3 * count { steps.get(steps.len() / 2).copied().unwrap_or(0.0) } else { 0.0 };
     let quantum = quantum.max(step);
     let scale = (1.4826 * sizes[count / 2]).max(sizes[count * 9 / 10] / 1.645).max(0.6 * quantum).max(f64::MIN_POSITIVE);
+    // where a rig that mostly rests moves, samples leave their neighbours' lines in company
+    let first = all.clone();
+    let about = |k: usize| {
+        let mut near: Vec<f64> = (k.saturating_sub(8)..(k + 9).min(count)).filter(|i| i.abs_diff(k) > 1).map(|i| first[i]).collect();
+        near.sort_by(f64::total_cmp);
+        near[near.len() / 2]
+    };
     let mut found = Vec::new();
     while let Some((k, size)) = all.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)) {
         if size <= OUTLIER * scale || found.len() > count / 5 {
             break;
+        }
+        if size <= OUTLIER * about(k) {
+            all[k] = 0.0;
+            continue;
         }
         (good[k], all[k]) = (false, 0.0);
         found.push(k);

@@ -35,6 +35,9 @@ pub fn initial_state(model: &dyn Model, p: &[f64], t: &[f64], outputs: &[Option<
     state_from(model, p, first, &measured, u)
 }
 
+/// Half of the time over which an output's own drift is read [s].
+const DRIFT: f64 = 1e-3;
+
 /// State whose outputs have these values and rates.
 pub(crate) fn state_from(model: &dyn Model, p: &[f64], t: f64, measured: &[(usize, Line)], u: &[f64]) -> Vec<f64> {
     let d = model.dimensions();
@@ -56,7 +59,12 @@ pub(crate) fn state_from(model: &dyn Model, p: &[f64], t: f64, measured: &[(usiz
     }
     model.output_jacobian(t, &x, p, &mut c, &mut dhdp);
     let by_q = DMatrix::from_fn(rows, n, |r, j| c[measured[r].0 * states + j]);
-    if let Some(rates) = least_squares(by_q, &DVector::from_fn(rows, |r, _| measured[r].1.rate)) {
+    // a sensor that drifts reads a rate that is none
+    let mut later = vec![0.0; d.outputs];
+    model.outputs(t - DRIFT, &x, p, &mut y);
+    model.outputs(t + DRIFT, &x, p, &mut later);
+    let drift = |output: usize| (later[output] - y[output]) / (2.0 * DRIFT);
+    if let Some(rates) = least_squares(by_q, &DVector::from_fn(rows, |r, _| measured[r].1.rate - drift(measured[r].0))) {
         x[n..2 * n].copy_from_slice(rates.as_slice());
     }
     settle_lags(model, p, t, u, &mut x);
