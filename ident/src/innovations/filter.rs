@@ -154,10 +154,13 @@ impl Track {
         let (mut c, mut dhdp) = (vec![0.0; d.outputs * n], vec![0.0; d.outputs * d.parameters]);
         let t0 = self.data.times[0];
         model.output_jacobian(t0, &self.initial, p, &mut c, &mut dhdp);
+        // a drift is nothing yet at the first sample
+        let mut late = dhdp.clone();
+        model.output_jacobian(self.data.times[self.data.times.len() - 1], &self.initial, p, &mut c.clone(), &mut late);
         let mut moved = p.to_vec();
         for (column, entry) in columns.iter().enumerate() {
             let Column::Parameter(i) = entry else { continue };
-            if self.data.outputs.iter().all(|o| dhdp[o * d.parameters + i] == 0.0) {
+            if self.data.outputs.iter().all(|o| dhdp[o * d.parameters + i] == 0.0 && late[o * d.parameters + i] == 0.0) {
                 continue;
             }
             let size = 1e-5 * p[*i].abs().max(1e-2);

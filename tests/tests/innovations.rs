@@ -1,0 +1,64 @@
+//! Derivatives of whitened innovations against differences: of the equations' parameters, and of all that a sensor can do, which moves the
+//! state at the first sample too.
+
+use codegen::{Options, derive};
+use ident::innovations::{Column as By, Noise, Track, pass};
+use ident::record::{Column, Record, Start};
+use jit::InProcess;
+use runtime::Model;
+use sim::{Hold, Signal, Signals, simulate};
+
+const PENDULUM: &str = "rig Pendulum {
+    param J: kg*m^2 = 0.02; param mgl: N*m = 0.5; param c: N*m*s/rad = 0.01; param K: N*m/V = 0.1; param pushed: N*m = 0;
+    param y_0: rad = 0; param s: 1 = 0; param r: rad/s = 0; param d: s = 0.0001;
+    coord q: rad; input V: V in -5..5;
+    equation J * q.ddot = K * V - mgl * sin(q) - c * q.dot + pushed;
+    output q: rad = q { scale 1 + s; bias y_0 + r * t; delay d; }
+}";
+
+fn model() -> InProcess {
+    let checked = model_dsl::check_text("test.rig", PENDULUM);
+    let rig = checked.rig.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
+    InProcess::new(derive(&rig, Options::default()).unwrap())
+}
+
+/// A record without noise.
+fn record(model: &InProcess, p: &[f64], d: f64) -> Record {
+    let t: Vec<f64> = (0..400).map(|k| 0.01 * f64::from(k)).collect();
+    let input: Vec<f64> = t.iter().map(|t| if (t % 1.3) < 0.6 { 2.0 } else { -1.5 }).collect();
+    let signals = Signals::new(vec![Signal { t: t.clone(), values: input.clone(), hold: Hold::Zero }]).unwrap();
+    let exact = sim::Options { relative: 1e-11, absolute: 1e-12, ..sim::Options::default() };
+    // the sensor is late: what it shows at t was there at t - d
+    let early: Vec<f64> = std::iter::once(0.0).chain(t.iter().skip(1).map(|t| t - d)).collect();
+    let run = simulate(model, p, &[0.3, 1.0], &signals, &early, &exact).unwrap();
+    let mut y = run.output(0);
+    y[0] -= d;
+    let columns = vec![Column { name: "V".to_owned(), unit: None, values: input }, Column { name: "q".to_owned(), unit: None, values: y }];
+    Record { source: "simulated".to_owned(), t, columns, declared: Vec::new(), start: Start::Free }
+}
+
+#[test]
+fn derivatives_of_innovations_are_their_differences() {
+    let model = model();
+    let mut p = vec![0.0; model.dimensions().parameters];
+    model.nominal(&mut p);
+    let index = |name: &str| (0..p.len()).find(|&i| model.names().parameter(i) == name).unwrap();
+    let record = record(&model, &p, p[index("d")]);
+    let track = Track::new(&record, &model, &p, Hold::Zero).unwrap();
+    let noise = Noise { entries: vec![index("pushed")], sd: vec![0.01], time: vec![0.2], output_sd: vec![3e-4], dry: Vec::new() };
+    for (name, step) in [("J", 1e-6), ("mgl", 1e-5), ("c", 1e-5), ("K", 1e-6), ("y_0", 1e-5), ("s", 1e-5), ("r", 1e-5), ("d", 1e-5)] {
+        let i = index(name);
+        let found = pass(&model, &p, &track.begun(&model, &p), &noise, &[By::Parameter(i)]).unwrap().unwrap();
+        let at = |by: f64| {
+            let mut moved = p.clone();
+            moved[i] += by;
+            pass(&model, &moved, &track.begun(&model, &moved), &noise, &[]).unwrap().unwrap().z
+        };
+        let (above, below) = (at(step), at(-step));
+        let difference: Vec<f64> = above.iter().zip(&below).map(|(a, b)| (a - b) / (2.0 * step)).collect();
+        let norm = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let off: Vec<f64> = difference.iter().zip(&found.jacobian).map(|(a, b)| a - b).collect();
+        // transitions are the exponential's series at the middle of a step, and gains move a little: good to a part in some hundred
+        assert!(norm(&off) < 0.02 * norm(&difference), "{name}: off by {:.1e} of {:.1e}", norm(&off), norm(&difference));
+    }
+}
