@@ -168,9 +168,10 @@ pub fn estimate(
     let mut noise = noise;
     let mut value = f64::NEG_INFINITY;
     for round in 0..options.rounds.max(1) {
-        let finest = if round == 0 { 0.7 } else { options.finest };
+        // the first round comes from far, the others refine
+        let steps = if round == 0 { (1.6, 0.7) } else { (0.4, options.finest) };
         if options.rounds > 0 {
-            noise = likeliest(model, &p, tracks, &noise, finest, options.blur).ok_or_else(|| nowhere(tracks))?;
+            noise = likeliest(model, &p, tracks, &noise, steps, options.blur).ok_or_else(|| nowhere(tracks))?;
         }
         let mut problem =
             Problem { model, tracks, specs, noise: noise.clone(), gains: Vec::new(), base: p.clone(), unknowns: unknowns.clone() };

@@ -111,11 +111,18 @@ pub(crate) fn floors(model: &dyn Model, p: &[f64], tracks: &[Track]) -> Vec<f64>
         .collect()
 }
 
-/// The noise of maximum likelihood, searched from `from` along its logarithms one after the other with steps that halve
+/// The noise of maximum likelihood, searched from `from` along its logarithms one after the other with steps that halve from the coarsest to the finest
 /// (R. Hooke and T. A. Jeeves, "Direct search", 1961). An output's noise may be as large as 30 steps of its encoder, or as `blur`
 /// times its spread if that is more. `None` where the model cannot be followed.
 #[must_use]
-pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noise, finest: f64, blur: f64) -> Option<Noise> {
+pub fn likeliest(
+    model: &dyn Model,
+    p: &[Vec<f64>],
+    tracks: &[Track],
+    from: &Noise,
+    (coarsest, finest): (f64, f64),
+    blur: f64,
+) -> Option<Noise> {
     let (mut parts, mut values) = (Vec::new(), Vec::new());
     for (track, p) in tracks.iter().zip(p) {
         // the noise of a rig does not need all samples to be known
@@ -150,7 +157,7 @@ pub fn likeliest(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], from: &Noi
         best.set(k, best.get(k).clamp(lo, hi));
     }
     let mut value = likelihood(&best);
-    let mut step = 1.6_f64;
+    let mut step = coarsest;
     while step > finest {
         let mut moved = false;
         for &k in &unknowns {
