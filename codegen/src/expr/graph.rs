@@ -159,15 +159,16 @@ impl Node {
 #[derive(Clone, Default, Debug)]
 pub struct Graph {
     pub(super) nodes: Vec<Node>,
-    /// Ids by the hash of their nodes, which stands beside them: large models live from few cache misses, and so a table that
-    /// grows does not look at the nodes.
-    ids: HashTable<(u32, Id)>,
+    /// Ids by the hash of their nodes. Large models live from few pages and cache misses: nothing stands beside the ids, and the table is
+    /// built anew in the order of the nodes when it is full.
+    ids: HashTable<Id>,
     pub(super) symbols: IndexSet<SymbolInfo, FxBuildHasher>,
     labels: IndexMap<Id, (String, bool), FxBuildHasher>,
     scope: String,
     /// Place of `scope` in `scope_names`, once a node of it was made.
     scope_index: Option<u32>,
-    scopes: Vec<u32>,
+    /// First node of each stretch of nodes that were made in one scope, and the scope.
+    scopes: Vec<(u32, u32)>,
     scope_names: IndexSet<String, FxBuildHasher>,
 }
 
@@ -235,9 +236,8 @@ impl Graph {
     #[must_use]
     pub fn node_of_symbol(&self, symbol: SymbolId) -> Id {
         let node = Node::Symbol(symbol);
-        let short = short_hash(&node);
         // every symbol was inserted as a node when it was made
-        self.ids.find(spread(short), |&(h, id)| h == short && self.nodes[id.index()] == node).map_or(Id(0), |entry| entry.1)
+        self.ids.find(hash(&node), |id| self.nodes[id.index()] == node).map_or(Id(0), |id| *id)
     }
 
     /// Looks a symbol up by its meaning.
@@ -280,35 +280,47 @@ impl Graph {
     /// What was being derived when a node was made first.
     #[must_use]
     pub fn scope_of(&self, id: Id) -> &str {
-        let index = self.scopes[id.index()] as usize;
-        self.scope_names.get_index(index).map_or("", String::as_str)
+        let stretch = self.scopes.partition_point(|(first, _)| *first <= id.0);
+        let scope = stretch.checked_sub(1).map(|k| self.scopes[k].1 as usize);
+        scope.and_then(|scope| self.scope_names.get_index(scope)).map_or("", String::as_str)
     }
 
     pub(super) fn insert(&mut self, node: Node) -> Id {
-        let short = short_hash(&node);
-        let same = |&(h, id): &(u32, Id)| h == short && self.nodes[id.index()] == node;
-        let place = match self.ids.entry(spread(short), same, |&(h, _)| spread(h)) {
-            Entry::Occupied(known) => return known.get().1,
+        if self.ids.len() == self.ids.capacity() {
+            self.grow();
+        }
+        let nodes = &self.nodes;
+        let entry = self.ids.entry(hash(&node), |id| nodes[id.index()] == node, |id| hash(&nodes[id.index()]));
+        let place = match entry {
+            Entry::Occupied(known) => return *known.get(),
             Entry::Vacant(place) => place,
         };
         let id = Id(self.nodes.len() as u32);
-        place.insert((short, id));
+        place.insert(id);
         self.nodes.push(node);
         let scope = match self.scope_index {
             Some(scope) => scope,
             None => self.scope_names.insert_full(self.scope.clone()).0 as u32,
         };
         self.scope_index = Some(scope);
-        self.scopes.push(scope);
+        if self.scopes.last().is_none_or(|(_, last)| *last != scope) {
+            self.scopes.push((id.0, scope));
+        }
         id
+    }
+
+    /// Twice the room for ids.
+    fn grow(&mut self) {
+        let nodes = &self.nodes;
+        let mut ids = HashTable::with_capacity((2 * nodes.len()).max(1 << 10));
+        for (i, node) in nodes.iter().enumerate() {
+            ids.insert_unique(hash(node), Id(i as u32), |id: &Id| hash(&nodes[id.index()]));
+        }
+        self.ids = ids;
     }
 }
 
-fn short_hash(node: &Node) -> u32 {
-    (FxBuildHasher.hash_one(node) >> 32) as u32
-}
-
 /// The table takes a place from the low bits and a tag from the high bits.
-fn spread(short: u32) -> u64 {
-    u64::from(short).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+fn hash(node: &Node) -> u64 {
+    (FxBuildHasher.hash_one(node) >> 32).wrapping_mul(0x9E37_79B9_7F4A_7C15)
 }
