@@ -311,10 +311,8 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
     let k = test.range.len();
     let row = |s: usize| &residual[s * m + test.range.start..s * m + test.range.end];
     let mut b = DVector::<f64>::zeros(k);
-    for s in 0..z.len() {
-        let r = row(s);
-        let product = DVector::from_fn(k, |i, _| r[i] * z[s]);
-        b += product;
+    for (s, z) in z.iter().enumerate() {
+        b += DVector::from_fn(k, |i, _| row(s)[i] * z);
     }
     let mut statistic = test.statistic(&b);
     // the jacobian is that of the innovations: the step that removes them is down its slope
