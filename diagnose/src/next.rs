@@ -86,7 +86,8 @@ pub(crate) fn propose(ask: &Question<'_>, open: &Open<'_>, tracks: &[Track]) -> 
     Some(if chance < 0.05 {
         format!("none of {tried} inputs that were tried would {purpose}: another sensor might")
     } else {
-        format!("{words}: such a record would {purpose} with a probability of {:.0} %", 100.0 * chance)
+        let percent = if chance > 0.99 { "more than 99".to_owned() } else { format!("{:.0}", 100.0 * chance) };
+        format!("{words}: such a record would {purpose} with a probability of {percent} %")
     })
 }
 
