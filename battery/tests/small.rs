@@ -42,7 +42,7 @@ fn a_large_hidden_effect_is_named() {
 
 #[test]
 fn a_delay_shorter_than_a_sample_is_found_again_by_its_refit() {
-    let found = outcome(Hiding::This("input_delay", 6.0), 1);
+    let found = outcome(Hiding::This("input_delay", 4.0), 1);
     assert!(!found.failed, "{}", found.because);
     let said = found.said.first().unwrap_or_else(|| panic!("nothing was named: {}", found.because));
     assert!(["input_delay", "actuator_lag", "sensor_delay"].contains(&said.effect.as_str()), "said {:?}", found.said);
