@@ -97,9 +97,9 @@ pub fn fit_base(
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
     let mut starts = vec![vec![p0.clone(); tracks.len()]];
     if plain.specs.iter().any(|s| s.free) {
-        // a start: neither exact nor to the end
-        let limits = Limits { evaluations: 20, cost: 1e-4, ..Limits::default() };
-        let fit = FitOptions { limits, hold: options.hold, loss: Loss::Huber(1.345), tolerance: 0.1, ..FitOptions::default() };
+        // to its end: from a start half way the innovations go astray on records of axes that drift
+        let limits = Limits { evaluations: 40, ..Limits::default() };
+        let fit = FitOptions { limits, hold: options.hold, loss: Loss::Huber(1.345), ..FitOptions::default() };
         if let Ok(found) = identify(&plain.model, &plain.specs, train, &[], &fit) {
             starts.push(found.p_of_record);
         }
