@@ -1,7 +1,7 @@
 //! Whether an effect is accepted: it must help on records that it was not found on, and say the same in all of them.
 
 use crate::base_fit::{Fitted, from_first_halves, middle};
-use crate::chance::beyond;
+use crate::chance::{beyond, variance_of_sum};
 use crate::error::DiagnoseError;
 use crate::figures::{self, NONE, predictions};
 use crate::model::{Included, Prepared};
@@ -121,12 +121,12 @@ pub struct Bench<'a> {
 pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<Judged, DiagnoseError> {
     let by_record = tried.included.last().is_some_and(|i| i.effect.by_record);
     // what belongs to the day is judged on the second half of every record, with what its first half says
-    let (later, p_later) = if by_record { second_halves(bench, tried) } else { (bench.held.to_vec(), tried.fitted.of_test.clone()) };
-    let judged = |p_test| figures::Judged { p_test, ..tried.fitted.judged(&tried.prepared) };
-    let after = predictions(judged(&p_later), &later, bench.horizon);
+    let (later, p_later) =
+        if by_record { second_halves(bench, &tried.prepared, &tried.fitted) } else { (bench.held.to_vec(), tried.fitted.of_test.clone()) };
+    let after = predictions(figures::Judged { p_test: &p_later, ..tried.fitted.judged(&tried.prepared) }, &later, bench.horizon);
     let weighed = if by_record {
-        let p_before = from_first_halves(bench.prepared, &bench.fitted.found, &later);
-        let old = figures::Judged { p_test: &p_before, ..bench.fitted.judged(bench.prepared) };
+        let (_, p_test) = second_halves(bench, bench.prepared, bench.fitted);
+        let old = figures::Judged { p_test: &p_test, ..bench.fitted.judged(bench.prepared) };
         weigh(&predictions(old, &later, bench.horizon), &after, bench.horizon)
     } else {
         weigh(bench.before, &after, bench.horizon)
@@ -189,10 +189,10 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
 }
 
 /// Second halves of all records, and parameters with what the first halves say of the day.
-fn second_halves(bench: &Bench<'_>, tried: &Tried) -> (Vec<Track>, Vec<Vec<f64>>) {
+fn second_halves(bench: &Bench<'_>, prepared: &Prepared, fitted: &Fitted) -> (Vec<Track>, Vec<Vec<f64>>) {
     let all: Vec<Track> = bench.train.iter().chain(bench.held).cloned().collect();
-    let p = from_first_halves(&tried.prepared, &tried.fitted.found, &all);
-    let half = |(track, p): (&Track, &Vec<f64>)| track.part(middle(track), track.times().len(), &tried.prepared.model, p);
+    let p = from_first_halves(prepared, &fitted.found, &all);
+    let half = |(track, p): (&Track, &Vec<f64>)| track.part(middle(track), track.times().len(), &prepared.model, p);
     (all.iter().zip(&p).map(half).collect(), p)
 }
 
@@ -270,15 +270,10 @@ fn weigh(before: &[Vec<Ahead>], after: &[Vec<Ahead>], horizon: f64) -> Vec<Weigh
         }
         let count = gained.iter().map(Vec::len).sum::<usize>() as f64;
         let mean = (sum[0] - sum[1]) / count;
-        let mut variance = 0.0;
-        for record in &gained {
-            for lag in 0..=lags.min(record.len().saturating_sub(1)) {
-                let weight = if lag == 0 { 1.0 } else { 2.0 * (1.0 - lag as f64 / (lags as f64 + 1.0)) };
-                variance += weight * record.iter().zip(&record[lag..]).map(|(x, y)| (x - mean) * (y - mean)).sum::<f64>();
-            }
-        }
+        let about = |record: &Vec<f64>| record.iter().map(|v| v - mean).collect::<Vec<f64>>();
+        let variance: f64 = gained.iter().map(|record| variance_of_sum(&about(record), lags)).sum();
         let [before, after, floor] = sum.map(|s| s / count);
-        (count > 0.0).then(|| Weighed { before, after, floor, sd: variance.max(0.0).sqrt() / count })
+        (count > 0.0).then(|| Weighed { before, after, floor, sd: variance.sqrt() / count })
     };
     outputs.into_iter().filter_map(of).collect()
 }

@@ -50,6 +50,14 @@ pub fn quantile(p: f64) -> f64 {
     Normal::standard().inverse_cdf(p.clamp(1e-300, 1.0 - 1e-16))
 }
 
+/// Variance of the sum of values with mean zero that hang together over up to `lags` (Newey and West, 1987).
+#[must_use]
+pub fn variance_of_sum(values: &[f64], lags: usize) -> f64 {
+    let product = |lag: usize| values.iter().zip(&values[lag..]).map(|(a, b)| a * b).sum::<f64>();
+    let weight = |lag: usize| if lag == 0 { 1.0 } else { 2.0 * (1.0 - lag as f64 / (lags as f64 + 1.0)) };
+    (0..=lags.min(values.len().saturating_sub(1))).map(|lag| weight(lag) * product(lag)).sum::<f64>().max(0.0)
+}
+
 /// Standard normal distribution function.
 #[must_use]
 pub fn below(z: f64) -> f64 {

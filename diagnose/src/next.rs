@@ -35,24 +35,25 @@ struct Design {
     values: Vec<f64>,
 }
 
-/// Words for the best experiment; `None` where none of those that are tried says anything, or the rig does not stay within its range.
+/// Words for the best experiment, or for why there is none; `None` where the question cannot be put (no record, a model that is not derived).
 pub(crate) fn propose(ask: &Question<'_>, open: &Open<'_>, tracks: &[Track]) -> Option<String> {
     let first = tracks.first()?;
     let p = open.with.fitted.mean();
     let mut plain: Vec<Included> = open.with.accepted.clone();
     let own = plain.remove(open.effect);
     // without it, and with each rival in its place
-    let mut others = vec![prepare(ask.base, ask.asked, &plain, plain.len()).ok()?];
-    if !open.rivals.is_empty() {
-        others.clear();
-    }
-    for rival in open.rivals.iter().filter(|e| !e.by_record) {
+    let rivals: Vec<&Effect> = open.rivals.iter().copied().filter(|e| !e.by_record).collect();
+    let mut others = Vec::new();
+    for rival in &rivals {
         let mut included = plain.clone();
         // delays and lags begin where this one is, everything else at nothing
         let timing = matches!(rival.signature, Signature::InputDelay(_) | Signature::OutputDelay(_));
         let size: Vec<f64> = if timing { own_values(open, &p).into_iter().take(1).map(f64::abs).collect() } else { Vec::new() };
         included.push(Included { effect: (*rival).clone(), start: rival.with(&size), held: Vec::new() });
         others.push(prepare(ask.base, ask.asked, &included, included.len()).ok()?);
+    }
+    if others.is_empty() {
+        others.push(prepare(ask.base, ask.asked, &plain, plain.len()).ok()?);
     }
     let (t, start, seen) = setting(open.with, tracks)?;
     let mut best: Option<(f64, String)> = None;
@@ -71,7 +72,7 @@ pub(crate) fn propose(ask: &Question<'_>, open: &Open<'_>, tracks: &[Track]) -> 
         }
     }
     let what = format!("{} on {}", own.effect.id, own.effect.place);
-    let names: Vec<String> = open.rivals.iter().map(|e| format!("{} on {}", e.id, e.place)).collect();
+    let names: Vec<String> = rivals.iter().map(|e| format!("{} on {}", e.id, e.place)).collect();
     let purpose =
         if names.is_empty() { format!("show {what} as it was found") } else { format!("tell {what} from {}", names.join(" and ")) };
     if tried == 0 {
@@ -132,7 +133,8 @@ fn setting(state: &State, tracks: &[Track]) -> Option<(Vec<f64>, Vec<f64>, Vec<(
     Some((t, start?, seen))
 }
 
-/// Inputs that are tried: each input, as large as it was seen and as large as its limits allow; the others stay at their means.
+/// Inputs that are tried: each input, as large as it was seen and as large as its limits allow; the others stay where they were at the
+/// first sample.
 fn designs(state: &State, p: &[f64], first: &Track, t: &[f64]) -> Vec<Design> {
     let model = &state.prepared.model;
     let rig = &state.prepared.base.rig;
@@ -163,8 +165,8 @@ fn designs(state: &State, p: &[f64], first: &Track, t: &[f64]) -> Vec<Design> {
                 add(
                     format!("drive {} with steps of up to {size_words}, each {} s long", input.name, crate::patch::digits(length, 2)),
                     &mut |t| {
-                        levels[((t / length) as usize).min(levels.len() - 1)].signum()
-                            * (0.3 + 0.7 * levels[(t / length) as usize % levels.len()].abs())
+                        let level = levels[((t / length) as usize).min(levels.len() - 1)];
+                        level.signum() * (0.3 + 0.7 * level.abs())
                     },
                 );
             }
@@ -198,12 +200,12 @@ fn simulated(
 ) -> Option<Record> {
     let model = &prepared.model;
     let d = model.dimensions();
-    let means = first.inputs(model, p, first.times()[0]);
+    let resting = first.inputs(model, p, first.times()[0]);
     let column = |name: &str, values: Vec<f64>| Column { name: name.to_owned(), unit: None, values };
     let mut signals = Vec::new();
     let mut columns = Vec::new();
     for j in 0..d.signals() {
-        let values = if j == design.input { design.values.clone() } else { vec![means.get(j).copied().unwrap_or(0.0); t.len()] };
+        let values = if j == design.input { design.values.clone() } else { vec![resting.get(j).copied().unwrap_or(0.0); t.len()] };
         signals.push(Signal { t: t.to_vec(), values: values.clone(), hold: sim::Hold::Zero });
         columns.push(column(model.names().signal(j), values));
     }

@@ -10,7 +10,7 @@ use crate::chance::{Chance, beyond, quantile};
 use crate::effects::{Effect, Signature};
 use crate::model::Prepared;
 use ident::fit::FitError;
-use ident::innovations::{Column, Noise, Pass, Shape, Track, pass};
+use ident::innovations::{Column, Noise, Pass, Shape, TAIL, Track, pass};
 use model_dsl::rig::{Expr, Friction, Symbol};
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
@@ -23,8 +23,6 @@ pub const SAME: f64 = 0.9;
 const DRAWS: usize = 4000;
 /// Samples over which scores are allowed to hang together.
 const LAGS: usize = 30;
-/// Innovations beyond this count by their sign alone (Huber): no score hangs on one sample.
-const TAIL: f64 = 3.0;
 
 /// A candidate's columns.
 pub enum Seen<'a> {
@@ -143,6 +141,7 @@ pub fn screen(
                 for (j, column) in wide.iter().enumerate() {
                     cross[(i, j)] += row[ci] * here(row, *column, r);
                 }
+                // beyond the tail by its sign alone (Huber): no score hangs on one sample
                 cross[(i, m)] += row[ci] * z.clamp(-TAIL, TAIL);
             }
         }

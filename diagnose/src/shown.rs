@@ -4,9 +4,10 @@
 //! One Gauss-Newton step from the refitted model along the effect's own parameters, the fitted parameters of the rig free beside it, so
 //! that a rig that is slightly different on another day does not count against the effect.
 
+use crate::chance::variance_of_sum;
 use crate::model::Prepared;
 use ident::fit::FitError;
-use ident::innovations::{Column, Noise, Pass, Track, pass};
+use ident::innovations::{Column, Noise, Pass, TAIL, Track, pass};
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 
@@ -29,8 +30,6 @@ impl Share {
     }
 }
 
-/// Innovations beyond this count by their sign alone (Huber).
-const TAIL: f64 = 3.0;
 /// Samples over which innovations may hang together.
 const LAGS: usize = 20;
 
@@ -116,10 +115,7 @@ fn step(pass: &Pass, count: usize, priors: &[f64], along: &[f64]) -> Option<Shar
             _ => moments.push((*k, part)),
         }
     }
-    let mut variance = 0.0;
-    for lag in 0..=LAGS.min(moments.len().saturating_sub(1)) {
-        let weight = if lag == 0 { 1.0 } else { 2.0 * (1.0 - lag as f64 / (LAGS as f64 + 1.0)) };
-        variance += weight * moments.iter().zip(&moments[lag..]).map(|(a, c)| a.1 * c.1).sum::<f64>();
-    }
+    let parts: Vec<f64> = moments.into_iter().map(|(_, part)| part).collect();
+    let variance = variance_of_sum(&parts, LAGS);
     Some(Share { value: 1.0 + moved[b], sd: variance.max(own[b]).sqrt() })
 }

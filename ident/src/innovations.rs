@@ -25,7 +25,7 @@ mod smooth;
 mod transition;
 
 pub use ahead::{Ahead, ahead};
-pub use estimate::{EstimateOptions, Estimated, Unknown, estimate, likelihood};
+pub use estimate::{EstimateOptions, Estimated, TAIL, Unknown, estimate, likelihood};
 pub use filter::{Column, Gains, Pass, Shape, Track, pass, wander};
 pub use identify::{InnovationsFit, InnovationsOptions, OutputNoise, Positive, RandomForce, identify};
 pub use noise::{Dry, Level, Noise, likeliest};

@@ -245,7 +245,7 @@ fn inverse(normal: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// Whitened innovations beyond this count by their magnitude (Huber): a few samples must not speak for a record.
-const TAIL: f64 = 3.0;
+pub const TAIL: f64 = 3.0;
 
 /// Likelihood of a record with given parameters and noise: the sum over outputs of each sample's logarithm, by sample, with Huber's
 /// tails; `None` where the model cannot be followed.
