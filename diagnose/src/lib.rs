@@ -27,6 +27,7 @@ mod screen;
 mod search;
 mod shapes;
 mod shown;
+mod strangers;
 mod traces;
 mod verdict;
 mod workflow;

@@ -3,7 +3,7 @@
 use crate::figures::AHEAD;
 use crate::model::Prepared;
 use ident::fit::FitError;
-use ident::innovations::{Noise, Track, likelihood};
+use ident::innovations::Track;
 use ident::preflight::{Change, FaultKind, Range, inspect};
 use ident::record::{Column, Record};
 use runtime::Model;
@@ -80,9 +80,8 @@ pub fn mended(prepared: &Prepared, p: &[f64], record: &Record) -> Record {
     out
 }
 
-/// What was wired or logged wrongly: flipped signs, swapped channels, degrees for radians. Inputs of another run are left to the
-/// filter (`strangers`), which a poor model does not mislead; what an effect of the
-/// catalogue can be as well (a zero that is off) is left to it.
+/// What was wired or logged wrongly: flipped signs, swapped channels, degrees for radians. Inputs of another run are left to
+/// `strangers`, which a poor model does not mislead; what an effect of the catalogue can be as well (a zero that is off) is left to it.
 ///
 /// # Errors
 /// Where a record does not fit the model.
@@ -93,39 +92,6 @@ pub fn mistaken(prepared: &Prepared, ranges: &[Range], records: &[Record], hold:
         _ => false,
     };
     Ok(found.faults.iter().filter(|f| mistake(&f.kind)).map(|f| format!("{}: {}; {}", f.record, f.sentence(), f.mend())).collect())
-}
-
-/// Log-likelihood that the inputs of a record must be worth.
-const WORTH: f64 = 5.0;
-
-/// Records whose inputs explain nothing of their motion, neither with the fitted parameters nor with the rig's own.
-///
-/// # Errors
-/// As the filter.
-pub fn strangers(prepared: &Prepared, fitted: &[Vec<f64>], own: &[f64], noise: &Noise, tracks: &[Track]) -> Result<Vec<String>, FitError> {
-    let mut faults = Vec::new();
-    for (track, fitted) in tracks.iter().zip(fitted) {
-        let mut worth = f64::NEG_INFINITY;
-        for p in [fitted.as_slice(), own] {
-            let Some(still) = track.without_inputs(&prepared.model, p) else {
-                worth = f64::INFINITY;
-                break;
-            };
-            let of = |track: &Track| likelihood(&prepared.model, p, track, noise).map(|l| l.map(|l| l.iter().sum::<f64>()));
-            // what cannot be followed says nothing
-            worth = match (of(track)?, of(&still)?) {
-                (Some(with), Some(without)) => worth.max(with - without),
-                _ => f64::INFINITY,
-            };
-        }
-        if worth < WORTH {
-            faults.push(format!(
-                "{}: the inputs explain nothing of the motion (log-likelihood {worth:+.0} against their means): are they this record's own?",
-                track.source()
-            ));
-        }
-    }
-    Ok(faults)
 }
 
 /// Samples that leave the line between their neighbours by far more than the others do. The farthest is taken out first, so that it does

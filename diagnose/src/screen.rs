@@ -34,6 +34,8 @@ pub enum Seen<'a> {
     Towards(&'a dyn Model),
     /// A force of some shape on an equation, that no effect of the catalogue needs to have.
     Shape(Vec<(usize, Box<Shape>)>, String),
+    /// These parameters, each multiplied by some shape.
+    Weighted(Vec<(usize, Box<Shape>)>, String),
 }
 
 /// What the test says of a candidate.
@@ -108,6 +110,7 @@ pub fn screen(
             }
             Seen::Towards(other) => columns.push(Column::Towards(*other)),
             Seen::Shape(shapes, _) => columns.extend(shapes.iter().map(|(entry, shape)| Column::Shaped(*entry, shape.as_ref()))),
+            Seen::Weighted(shapes, _) => columns.extend(shapes.iter().map(|(i, shape)| Column::Weighted(*i, shape.as_ref()))),
         }
         wide.extend((first..columns.len()).map(|c| (c, None)));
         own.push(from..wide.len());

@@ -9,7 +9,7 @@ use crate::model::{Included, Prepared, prepare};
 use crate::options::Options;
 use crate::patch::{Base, PatchError};
 use crate::screen::{SAME, Score, ScreenOptions, Seen, UNIQUE, cosine, screen};
-use crate::shapes::unnamed;
+use crate::shapes::{uneven, unnamed};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
 use runtime::Model;
@@ -104,16 +104,26 @@ impl State {
         let count = seen.len();
         seen.extend(unnamed(&texts, &self.scales(tracks)));
         let scores = screen(&texts, &p, &noise, tracks, &seen, choices)?;
-        let left_over = scores[count..]
-            .iter()
-            .zip(&seen[count..])
-            .filter(|(s, _)| s.p_family < 0.2 * options.family)
-            .max_by(|a, b| a.0.statistic.total_cmp(&b.0.statistic))
-            .map(|(s, seen)| match seen {
-                Seen::Shape(_, words) => format!("{words} (score {:.1})", s.statistic.sqrt()),
-                _ => String::new(),
-            });
+        let left_over = loudest(&scores[count..], &seen[count..], options);
         Ok(Round { scores, in_test, left_over })
+    }
+
+    /// An accepted effect that differs from place to place, or as time goes: it stands for something that the catalogue does not have.
+    /// Asked of all records, as a family of its own.
+    pub fn uneven(&self, options: &Options<'_>, tracks: &[Track], held: &[Track]) -> Option<String> {
+        let scales = self.scales(tracks);
+        let begun = held.iter().zip(&self.fitted.of_test).map(|(track, p)| track.begun(&self.prepared.model, p));
+        let all: Vec<Track> = tracks.iter().cloned().chain(begun).collect();
+        let p: Vec<Vec<f64>> = self.fitted.found.p.iter().chain(&self.fitted.of_test).cloned().collect();
+        let choices = ScreenOptions { family: options.family, seed: options.seed };
+        let of = |(included, coefficients): (&Included, &Vec<usize>)| {
+            let seen = uneven(&self.prepared, &scales, &included.effect, coefficients);
+            let noise = &self.fitted.found.noise;
+            // records that cannot be followed say nothing
+            let scores = screen(&self.prepared, &p, noise, &all, &seen, choices).ok()?;
+            Some(format!("{} is not the same everywhere: {}", included.effect.title(), loudest(&scores, &seen, options)?))
+        };
+        self.accepted.iter().zip(&self.prepared.of_effect).find_map(of)
     }
 
     fn scales(&self, tracks: &[Track]) -> Scales {
@@ -266,6 +276,15 @@ impl State {
             !own.is_empty() && self.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).all(|u| u.value.abs() < 2.0 * u.sd)
         })
     }
+}
+
+/// Of shapes that nobody named, the one that speaks loudest beyond chance.
+fn loudest(scores: &[Score], seen: &[Seen<'_>], options: &Options<'_>) -> Option<String> {
+    let beyond_chance = scores.iter().zip(seen).filter(|(s, _)| s.p_family < 0.2 * options.family);
+    beyond_chance.max_by(|a, b| a.0.statistic.total_cmp(&b.0.statistic)).map(|(s, seen)| match seen {
+        Seen::Shape(_, words) | Seen::Weighted(_, words) => format!("{words} (score {:.1})", s.statistic.sqrt()),
+        _ => String::new(),
+    })
 }
 
 /// What parameters cost in log-likelihood (Schwarz, 1978).

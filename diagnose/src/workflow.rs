@@ -13,9 +13,10 @@ use crate::model::{Prepared, prepare};
 use crate::next::{Open, propose};
 use crate::options::{Options, Step};
 use crate::patch::Base;
-use crate::quality::{ahead, integrates, look, mended, mistaken, strangers, stride};
+use crate::quality::{ahead, integrates, look, mended, mistaken, stride};
 use crate::screen::{SAME, UNIQUE, cosine};
 use crate::search::{Question, Round, State, scales};
+use crate::strangers::strangers;
 use crate::traces;
 use crate::verdict::{Rejected, finish};
 use ident::fit::ParameterSpec;
@@ -237,6 +238,7 @@ pub fn diagnose(
             }
         }
     }
+    let uneven = if current.accepted.is_empty() { None } else { current.uneven(options, &tracks, &held) };
     if options.traces && !answer.findings.is_empty() {
         let found = &current.fitted.found;
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.of_test, train, test, options.hold);
@@ -244,7 +246,7 @@ pub fn diagnose(
     if options.next {
         answer.next_experiment = next_experiment(&ask, &answer, &current, unconfirmed.as_ref(), &effects, &tracks);
     }
-    finish(base, &mut answer, &current, &base_state_names, (&rejected, turn), left_over, train)?;
+    finish(base, &mut answer, &current, &base_state_names, (&rejected, turn), uneven.or(left_over), train)?;
     answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)

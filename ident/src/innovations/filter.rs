@@ -31,6 +31,8 @@ pub enum Column<'a> {
     Towards(&'a dyn Model),
     /// A force of a given shape, f(t, x, u), by the parameter of this disturbance (index into [`Noise::entries`]).
     Shaped(usize, &'a Shape),
+    /// A parameter of the model whose action is multiplied by a shape.
+    Weighted(usize, &'a Shape),
 }
 
 /// A number that depends on time, state and signals.
@@ -352,7 +354,8 @@ pub(crate) fn run(
         let by = track.begins_by(model, p, columns, &delayed);
         carried.sensitivity[..n * m].copy_from_slice(&by);
     }
-    let late = !delayed.is_empty() || measured.iter().any(|values| values.iter().any(|v| v.1 != 0.0));
+    let weighted = columns.iter().any(|c| matches!(c, Column::Weighted(..)));
+    let late = !delayed.is_empty() || weighted || measured.iter().any(|values| values.iter().any(|v| v.1 != 0.0));
     let (mut middle, mut rate_middle) = (vec![0.0; n], vec![0.0; n]);
     for (k, &t) in times.iter().enumerate() {
         if k > 0 {
@@ -443,8 +446,15 @@ pub(crate) fn run(
                     }
                 }
                 for (r, column) in row.iter_mut().zip(columns) {
-                    if let Column::Parameter(j) = column {
-                        *r -= dhdp[output * d.parameters + j];
+                    match column {
+                        Column::Parameter(j) => *r -= dhdp[output * d.parameters + j],
+                        Column::Weighted(j, shape) => {
+                            let own = dhdp[output * d.parameters + j];
+                            if own != 0.0 {
+                                *r -= own * shape(t, &carried.state[..n], &u);
+                            }
+                        }
+                        _ => {}
                     }
                 }
                 for &(column, _, seconds) in delayed.iter().filter(|(_, o, _)| *o == output) {

@@ -73,7 +73,7 @@ impl<'a> Stepper<'a> {
         let n = d.states();
         let order = n + entries.len();
         let mut asked = entries.clone();
-        asked.extend(columns.iter().filter_map(|c| if let Column::Parameter(i) = c { Some(*i) } else { None }));
+        asked.extend(columns.iter().filter_map(|c| if let Column::Parameter(i) | Column::Weighted(i, _) = c { Some(*i) } else { None }));
         let zeros = |length: usize| vec![0.0; length];
         Self {
             model,
@@ -253,6 +253,13 @@ impl<'a> Stepper<'a> {
                 Column::Parameter(_) => {
                     for i in 0..n {
                         self.forcing[i * m + c] = self.dfdp[i * asked + parameter];
+                    }
+                    parameter += 1;
+                }
+                Column::Weighted(_, shape) => {
+                    let weight = shape(t, &self.x, &self.u);
+                    for i in 0..n {
+                        self.forcing[i * m + c] = self.dfdp[i * asked + parameter] * weight;
                     }
                     parameter += 1;
                 }
