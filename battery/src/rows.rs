@@ -65,9 +65,9 @@ pub fn tasks(row: &'static str, runs: u64, rigs: &[Rig]) -> Vec<Task> {
             let eaten = [Condition { reach: 0.1, ..NOTHING[1] }];
             add("nothing: full method", &torque, Hiding::Nothing, full, &Rig::ALL, "nothing");
             add("nothing: no whitening", &torque, Hiding::Nothing, Method { whitening: false, ..full }, &Rig::ALL, "nothing");
-            add("nothing: no family", &torque, Hiding::Nothing, Method { family: false, ..full }, &Rig::ALL, "nothing");
+            add("nothing: BIC", &torque, Hiding::Nothing, Method { family: false, ..full }, &Rig::ALL, "nothing");
             add(
-                "nothing: no family, no other records",
+                "nothing: BIC, no other records",
                 &torque,
                 Hiding::Nothing,
                 Method { family: false, other_records: false, ..full },

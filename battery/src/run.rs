@@ -30,7 +30,7 @@ pub enum Hiding {
     This(&'static str, f64),
     /// One of [`crate::hide::OUTSIDE`], at a multiple of the Coulomb friction that shows.
     Outside(&'static str, f64),
-    /// An effect that is taken out of the catalogue then.
+    /// An effect that is taken out of the catalogue then, and that no other entry imitates.
     Decoy(f64),
     /// A spring beside gravity, which small swings cannot tell from it.
     Eaten(f64),
@@ -335,7 +335,11 @@ pub fn run(task: &Task, keep: Option<&Path>, aloud: bool) -> Option<Outcome> {
             Ok(clean) => clean,
             Err(why) => return fail(outcome, format!("without the effect: {why}")),
         };
-        let told = shown_by_both(clean.candidates);
+        let alone: Vec<usize> = clean.candidates.iter().map(|c| c.class).filter(|class| of_one_effect(&clean.candidates, *class)).collect();
+        let mut told = shown_by_both(clean.candidates);
+        if let Hiding::Decoy(_) = task.hiding {
+            told.retain(|c| alone.contains(&c.class));
+        }
         outcome.hidden = choose(task, &told, &mut plant, &moved, &mut chance)?;
         if let Hiding::Decoy(_) = task.hiding {
             only.retain(|id| outcome.hidden.iter().all(|h| h.effect != *id));
@@ -355,6 +359,12 @@ pub fn run(task: &Task, keep: Option<&Path>, aloud: bool) -> Option<Outcome> {
         }
         Err(why) => fail(outcome, why),
     }
+}
+
+/// No other effect imitates those of this class.
+fn of_one_effect(candidates: &[Candidate], class: usize) -> bool {
+    let mut ids = candidates.iter().filter(|c| c.class == class && c.status != "not identifiable").map(|c| &c.effect);
+    ids.next().is_some_and(|first| ids.all(|id| id == first))
 }
 
 /// The most by which the test record may show an effect less than the training records do, to be of use against it.

@@ -33,7 +33,8 @@ pub struct Judged {
     pub refused: Option<Refusal>,
     /// Gain on the test records [nats/sample], half width of its 95 % interval.
     pub gain: (f64, f64),
-    /// Squared error of predictions of the test records with the effect over that without, mean over signals.
+    /// Squared error of predictions of the test records with the effect over that without, neither smaller than noise makes it; mean over
+    /// signals.
     pub error_ratio: f64,
 }
 
@@ -131,7 +132,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     } else {
         weigh(bench.before, &after, bench.horizon)
     };
-    let error_ratio = weighed.iter().map(|w| w.after / w.before).sum::<f64>() / weighed.len().max(1) as f64;
+    let error_ratio = weighed.iter().map(Weighed::ratio).sum::<f64>() / weighed.len().max(1) as f64;
     let refuse = |why: Refusal, gain: (f64, f64)| Ok(Judged { refused: Some(why), gain, error_ratio });
     let none = (0.0, f64::INFINITY);
     let own = tried.prepared.of_effect.last().cloned().unwrap_or_default();
@@ -227,7 +228,7 @@ fn stays(told: &[(String, Share)]) -> f64 {
 struct Weighed {
     before: f64,
     after: f64,
-    /// What the noise of the model after makes.
+    /// What noise makes, by the model that has less of it: smaller errors are luck.
     floor: f64,
     /// Standard error of `before - after`; predictions overlap.
     sd: f64,
@@ -242,8 +243,13 @@ impl Weighed {
         self.before - self.after + ONE_SIDED * self.sd < share * (self.before - self.floor)
     }
 
+    /// After over before, none smaller than noise makes it.
+    fn ratio(&self) -> f64 {
+        self.after.max(self.floor) / self.before.max(self.floor)
+    }
+
     fn worse(&self) -> bool {
-        self.after - self.before > CLEARLY * self.sd
+        self.after - self.before.max(self.floor) > CLEARLY * self.sd
     }
 }
 
@@ -259,7 +265,8 @@ fn weigh(before: &[Vec<Ahead>], after: &[Vec<Ahead>], horizon: f64) -> Vec<Weigh
             let mut of_record = Vec::new();
             for k in 0..b.t.len().min(a.t.len()) {
                 let variance = b.floor[k].max(a.floor[k]).powi(2);
-                let parts = [b.error[k].powi(2), a.error[k].powi(2), a.floor[k].powi(2)].map(|v| v / variance);
+                let floor = b.floor[k].min(a.floor[k]);
+                let parts = [b.error[k].powi(2), a.error[k].powi(2), floor.powi(2)].map(|v| v / variance);
                 if parts.iter().all(|v| v.is_finite()) {
                     sum.iter_mut().zip(parts).for_each(|(s, v)| *s += v);
                     of_record.push(parts[0] - parts[1]);

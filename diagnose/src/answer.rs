@@ -86,7 +86,7 @@ pub struct Finding {
     pub p_value: f64,
     /// Gain of log-likelihood on the test records [nats/sample], and the half width of its 95 % interval.
     pub heldout_gain: (f64, f64),
-    /// Squared error of predictions of the test records with it over that without, mean over signals.
+    /// Squared error of predictions of the test records with it over that without, neither smaller than noise makes it; mean over signals.
     pub error_ratio: f64,
     /// Belongs to the day.
     pub per_record: bool,

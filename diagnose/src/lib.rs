@@ -28,6 +28,7 @@ mod search;
 mod shapes;
 mod shown;
 mod strangers;
+mod together;
 mod traces;
 mod verdict;
 mod workflow;

@@ -34,7 +34,7 @@ pub struct Options<'a> {
 pub struct Method {
     /// Random forces in the filter; without, innovations are output errors.
     pub whitening: bool,
-    /// The family's threshold; without, each candidate is tested on its own at 5 %.
+    /// The family's threshold; without, that of the Bayesian information criterion.
     pub family: bool,
     /// Acceptance on other records; without, on the training records themselves.
     pub other_records: bool,

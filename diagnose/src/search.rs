@@ -134,14 +134,14 @@ impl State {
     pub fn try_best(&self, ask: &Question<'_>, left: &[&Effect], round: &Round, tracks: &mut [Track], held: &[Track]) -> Vec<Tried> {
         let options = ask.options;
         let scores = &round.scores[..left.len()];
+        let samples: usize = tracks.iter().map(|t| t.times().len()).sum();
+        // by what is gained over what is spent
+        let worth = |s: &Score| s.statistic - 2.0 * spent(s.degrees, samples);
         let speaks = |s: &Score| {
-            let p = if options.method.family { s.p_family } else { s.p_single };
-            p < options.family && (s.unique_fraction >= UNIQUE || !options.method.absorption)
+            let beyond_chance = if options.method.family { s.p_family < options.family } else { worth(s) > 0.0 };
+            beyond_chance && (s.unique_fraction >= UNIQUE || !options.method.absorption)
         };
         let mut order: Vec<usize> = (0..left.len()).filter(|&i| speaks(&scores[i]) && !wrong_sign(left[i], &scores[i])).collect();
-        // by what is gained over what is spent
-        let samples: usize = tracks.iter().map(|t| t.times().len()).sum();
-        let worth = |s: &Score| s.statistic - 2.0 * spent(s.degrees, samples);
         order.sort_by(|&a, &b| worth(&scores[b]).total_cmp(&worth(&scores[a])));
         // dry friction that holds a rig still does not show at its null value: tried from a finite one
         let level = self.fitted.found.noise.sd.clone();

@@ -2,12 +2,12 @@
 //!
 //! look at the records -> fit the base -> where -> screen -> refit the few best -> accept one or none -> again -> verdict -> patch.
 
-use crate::accept::{Bench, Refusal, Tried, judge};
+use crate::accept::{Bench, Judged, Refusal, Tried, judge};
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
-use crate::base_fit::{Fitted, fit_base, refit};
+use crate::base_fit::{fit_base, refit};
 use crate::effects::{Effect, IDS, Scales, by_record, catalogue};
 use crate::error::DiagnoseError;
-use crate::figures::{Judged, Measured, View, figures, predictions, shrink, view};
+use crate::figures::{self, Measured, View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Prepared, prepare};
 use crate::next::{Open, propose};
@@ -17,6 +17,7 @@ use crate::quality::{ahead, integrates, look, mended, mistaken, stride};
 use crate::screen::{SAME, UNIQUE, cosine};
 use crate::search::{Question, Round, State, scales};
 use crate::strangers::strangers;
+use crate::together::{Against, Passed, Refused, predicted, together};
 use crate::traces;
 use crate::verdict::{Rejected, finish};
 use ident::fit::ParameterSpec;
@@ -32,6 +33,9 @@ const FAR: f64 = 9.2;
 
 /// Candidates that are worked out and judged in one turn.
 const MOST_JUDGED: usize = 5;
+
+/// Refused candidates that are tried with companions.
+const MOST_ALONE: usize = 2;
 
 /// Finds what a rig's text lacks. `asked` are its parameters as the request has them.
 ///
@@ -116,8 +120,12 @@ pub fn diagnose(
         answer.before = figures(fitted.judged(&plain), Some(trained), tested, seen);
     }
     let given = vec![p0.clone(); tracks.len().max(held.len())];
-    answer.published =
-        figures(Judged { prepared: &plain, noise: &fitted.found.noise, p_train: &given, p_test: &given }, Some(trained), tested, seen);
+    answer.published = figures(
+        figures::Judged { prepared: &plain, noise: &fitted.found.noise, p_train: &given, p_test: &given },
+        Some(trained),
+        tested,
+        seen,
+    );
     answer.after = answer.before.clone();
     answer.noise = Some(fitted.found.noise.clone());
     tell("where do they disagree? ..");
@@ -142,8 +150,8 @@ pub fn diagnose(
     let base_figures = answer.before.clone();
     // acceptance looks at predictions: many starts scatter less than one free run, which may go over the top
     let horizon = seen.horizon.unwrap_or(ahead(&current.prepared, &p0));
-    let predicted = |fitted: &Fitted, prepared: &Prepared| predictions(fitted.judged(prepared), &held, horizon);
-    let mut at_gate = predicted(&current.fitted, &current.prepared);
+    let at_gate_of = |state: &State| predicted(&state.fitted, &state.prepared, &held, horizon);
+    let mut at_gate = at_gate_of(&current);
     let mut rejected: Vec<Rejected> = Vec::new();
     let ask = Question { base, asked, options };
     // what the training records ask for and the test records cannot show
@@ -153,7 +161,8 @@ pub fn diagnose(
     loop {
         turn += 1;
         tell(&format!("screening {} candidates ..", effects.len()));
-        let left: Vec<&Effect> = effects.iter().filter(|e| !current.has(e)).collect();
+        let numbers: Vec<usize> = (0..effects.len()).filter(|&i| !current.has(&effects[i])).collect();
+        let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
         // what the test records could show is asked once
         let asked_of: &[Track] = if current.accepted.is_empty() { &held } else { &[] };
         let round = current.screen(&ask, &left, &tracks, asked_of)?;
@@ -166,12 +175,15 @@ pub fn diagnose(
             break;
         }
         let mut chosen: VecDeque<Tried> = current.try_best(&ask, &left, &round, &mut tracks, &held).into();
-        let mut accepted = None;
+        let mut accepted: Option<(State, Vec<Passed>)> = None;
         // what is refused although it explains the records far better than another leaves that one no reason
         let mut refused = f64::NEG_INFINITY;
         let mut judged = 0;
+        // refused ones that may lack a companion
+        let mut alone: Vec<Refused> = Vec::new();
         while let Some(mut tried) = chosen.pop_front() {
             let (first, value) = (left[tried.index], tried.value);
+            let mut error_ratio = 1.0;
             let why = if value < refused - FAR {
                 Refusal::Shadow
             } else if judged == MOST_JUDGED {
@@ -183,9 +195,10 @@ pub fn diagnose(
                     Bench { prepared: &current.prepared, fitted: &current.fitted, train: &tracks, held: &held, before: &at_gate, horizon };
                 let verdict = judge(&bench, &tried, options)?;
                 let Some(why) = verdict.refused else {
-                    accepted = Some((tried, verdict));
+                    accepted = Some(alone_passed(tried, verdict, &numbers, &round));
                     break;
                 };
+                error_ratio = verdict.error_ratio;
                 refused = refused.max(value);
                 why
             };
@@ -202,29 +215,47 @@ pub fn diagnose(
                 chosen.push_front(of_the_day);
             }
             let untold = matches!(why, Refusal::Untold(_)) && significant;
+            let waits =
+                matches!(why, Refusal::Contradiction { .. } | Refusal::NoGain(_) | Refusal::Worse | Refusal::Small(_)) && significant;
             rejected.push(Rejected { effect: effect.clone(), why, significant, turn });
             if untold && unconfirmed.is_none() {
                 unconfirmed = Some(State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted });
+            } else if waits && alone.len() < MOST_ALONE && !effect.by_record {
+                let equivalent = tried.equivalent.iter().map(|&i| numbers[i]).collect();
+                alone.push(Refused {
+                    effect: numbers[tried.index],
+                    p_family: round.scores[tried.index].p_family,
+                    tried,
+                    equivalent,
+                    error_ratio,
+                });
             }
         }
-        let Some((tried, verdict)) = accepted else { break };
-        tell(&format!("  accepted: {}", left[tried.index].title()));
-        let effect = left[tried.index].clone();
-        let finding = Finding {
-            effect: effect.id.clone(),
-            place: effect.place.clone(),
-            shape: effect.shape.clone(),
-            parameters: Vec::new(),
-            equivalent: tried.equivalent.iter().map(|&i| (left[i].id.clone(), left[i].place.clone())).collect(),
-            p_value: round.scores[tried.index].p_family,
-            heldout_gain: verdict.gain,
-            error_ratio: verdict.error_ratio,
-            per_record: effect.by_record,
-        };
-        answer.findings.push(finding);
-        answer.after = figures(tried.fitted.judged(&tried.prepared), Some(trained), tested, seen);
-        current = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
-        at_gate = predicted(&current.fitted, &current.prepared);
+        let against = Against { effects: &effects, held: &held, horizon };
+        for first in alone {
+            if accepted.is_none() && options.method.other_records {
+                accepted = together(&ask, first, &against, &mut tracks)?;
+            }
+        }
+        let Some((state, passed)) = accepted else { break };
+        for one in passed {
+            let effect = &effects[one.effect];
+            tell(&format!("  accepted: {}", effect.title()));
+            answer.findings.push(Finding {
+                effect: effect.id.clone(),
+                place: effect.place.clone(),
+                shape: effect.shape.clone(),
+                parameters: Vec::new(),
+                equivalent: one.equivalent.iter().map(|&i| (effects[i].id.clone(), effects[i].place.clone())).collect(),
+                p_value: one.p_family,
+                heldout_gain: one.verdict.gain,
+                error_ratio: one.error_ratio,
+                per_record: effect.by_record,
+            });
+        }
+        current = state;
+        answer.after = figures(current.fitted.judged(&current.prepared), Some(trained), tested, seen);
+        at_gate = at_gate_of(&current);
         // what an earlier effect stood for may have been this one
         if let Some(drop) = current.superfluous().filter(|drop| drop + 1 < current.accepted.len()) {
             tell(&format!("  dropped again: {}", current.accepted[drop].effect.title()));
@@ -233,8 +264,8 @@ pub fn diagnose(
             if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, (&mut tracks, &held), true) {
                 answer.findings.remove(drop);
                 answer.after = figures(fitted.judged(&prepared), Some(trained), tested, seen);
-                at_gate = predicted(&fitted, &prepared);
                 current = State { prepared, fitted, accepted: fewer };
+                at_gate = at_gate_of(&current);
             }
         }
     }
@@ -250,6 +281,18 @@ pub fn diagnose(
     answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
+}
+
+/// A candidate that passed on its own.
+fn alone_passed(tried: Tried, verdict: Judged, numbers: &[usize], round: &Round) -> (State, Vec<Passed>) {
+    let passed = Passed {
+        effect: numbers[tried.index],
+        equivalent: tried.equivalent.iter().map(|&i| numbers[i]).collect(),
+        p_family: round.scores[tried.index].p_family,
+        error_ratio: verdict.error_ratio,
+        verdict,
+    };
+    (State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted }, vec![passed])
 }
 
 /// The experiment that would settle what is open: an effect that has equivalents, or one that no test record can confirm.

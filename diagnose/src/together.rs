@@ -1,0 +1,145 @@
+//! Effects that pass only together: while one is missing, the records contradict each other about the other one.
+
+use crate::accept::{Bench, Judged, Tried, judge};
+use crate::base_fit::{Fitted, refit};
+use crate::effects::Effect;
+use crate::error::DiagnoseError;
+use crate::figures::predictions;
+use crate::model::Prepared;
+use crate::search::{Question, State};
+use ident::innovations::Track;
+
+/// Effects that may wait for each other.
+const MOST: usize = 3;
+/// Companions that are tried at each step.
+const COMPANIONS: usize = 3;
+
+/// An effect of a group that passed.
+pub(crate) struct Passed {
+    /// Its number among all effects.
+    pub effect: usize,
+    /// Those that cannot be told from it, by the same numbers.
+    pub equivalent: Vec<usize>,
+    /// p-value in the family, with those before it.
+    pub p_family: f64,
+    /// What acceptance found, all others of the group being there.
+    pub verdict: Judged,
+    /// Squared error of predictions over that of the group before it joined.
+    pub error_ratio: f64,
+}
+
+/// A candidate that was refused on its own.
+pub(crate) struct Refused {
+    /// Its number among all effects.
+    pub effect: usize,
+    pub tried: Tried,
+    pub equivalent: Vec<usize>,
+    pub p_family: f64,
+    pub error_ratio: f64,
+}
+
+/// Records and how far they are predicted.
+pub(crate) struct Against<'a> {
+    pub effects: &'a [Effect],
+    pub held: &'a [Track],
+    pub horizon: f64,
+}
+
+/// Takes `first` as if it had passed, looks for what is missing beside it, and asks each of the group again with all others there. `None`
+/// where no group passes.
+pub(crate) fn together(
+    ask: &Question<'_>,
+    first: Refused,
+    against: &Against<'_>,
+    tracks: &mut [Track],
+) -> Result<Option<(State, Vec<Passed>)>, DiagnoseError> {
+    let Against { effects, held, horizon } = *against;
+    let tell = ask.options.progress;
+    let before = first.tried.included.len() - 1;
+    let none = Judged { refused: None, gain: (0.0, f64::INFINITY), error_ratio: 1.0 };
+    let mut group = vec![Passed {
+        effect: first.effect,
+        equivalent: first.equivalent,
+        p_family: first.p_family,
+        verdict: none,
+        error_ratio: first.error_ratio,
+    }];
+    let Tried { included, prepared, fitted, .. } = first.tried;
+    let mut state = State { accepted: included, prepared, fitted };
+    while group.len() < MOST && state.accepted.len() < ask.options.most_effects {
+        let numbers: Vec<usize> = (0..effects.len()).filter(|&i| !state.has(&effects[i])).collect();
+        let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
+        tell(&format!("  beside {}: screening {} candidates ..", state.accepted[before].effect.title(), left.len()));
+        let round = state.screen(ask, &left, tracks, &[])?;
+        let at_gate = predicted(&state.fitted, &state.prepared, held, horizon);
+        let mut next: Option<(Tried, Judged)> = None;
+        for mut tried in state.try_best(ask, &left, &round, tracks, held).into_iter().take(COMPANIONS) {
+            state.work_out(ask, &left, &round, &mut tried, tracks, held)?;
+            let bench = Bench { prepared: &state.prepared, fitted: &state.fitted, train: tracks, held, before: &at_gate, horizon };
+            let verdict = judge(&bench, &tried, ask.options)?;
+            let passes = verdict.refused.is_none();
+            // the strongest one goes on where none passes: a third may be missing
+            if passes || next.is_none() {
+                next = Some((tried, verdict));
+            }
+            if passes {
+                break;
+            }
+        }
+        let Some((tried, verdict)) = next else { return Ok(None) };
+        let error_ratio = verdict.error_ratio;
+        group.push(Passed {
+            effect: numbers[tried.index],
+            equivalent: tried.equivalent.iter().map(|&i| numbers[i]).collect(),
+            p_family: round.scores[tried.index].p_family,
+            verdict,
+            error_ratio,
+        });
+        state = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
+        if all_pass(ask, &state, before, &mut group, against, tracks)? {
+            return Ok(Some((state, group)));
+        }
+    }
+    Ok(None)
+}
+
+/// Asks each of the group with all others there.
+fn all_pass(
+    ask: &Question<'_>,
+    state: &State,
+    before: usize,
+    group: &mut [Passed],
+    &Against { held, horizon, .. }: &Against<'_>,
+    tracks: &mut [Track],
+) -> Result<bool, DiagnoseError> {
+    let last = group.len() - 1;
+    if group[last].verdict.refused.is_some() {
+        return Ok(false);
+    }
+    for (k, member) in group[..last].iter_mut().enumerate() {
+        let mut fewer = state.accepted.clone();
+        let own = fewer.remove(before + k);
+        let Ok((without, fitted_without)) = refit(ask.base, ask.asked, &fewer, &state.fitted, (&mut *tracks, held), true) else {
+            return Ok(false);
+        };
+        // the whole group again, with the one that is asked in the last place
+        fewer.push(own);
+        let Ok((prepared, fitted)) = refit(ask.base, ask.asked, &fewer, &state.fitted, (&mut *tracks, held), false) else {
+            return Ok(false);
+        };
+        let tried = Tried { index: 0, value: 0.0, included: fewer, prepared, fitted, equivalent: Vec::new() };
+        let at_gate = predicted(&fitted_without, &without, held, horizon);
+        let bench = Bench { prepared: &without, fitted: &fitted_without, train: tracks, held, before: &at_gate, horizon };
+        member.verdict = judge(&bench, &tried, ask.options)?;
+        if let Some(why) = &member.verdict.refused {
+            (ask.options.progress)(&format!("  {} with the others: {why}", tried.included[before + last].effect.title()));
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// Predictions of the test records.
+pub(crate) fn predicted(fitted: &Fitted, prepared: &Prepared, held: &[Track], horizon: f64) -> Vec<Vec<ident::innovations::Ahead>> {
+    predictions(fitted.judged(prepared), held, horizon)
+}
