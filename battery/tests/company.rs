@@ -7,7 +7,8 @@ use battery::table::all_right;
 use diagnose::Method;
 
 fn outcome(row: &'static str, rig: Rig, condition: Condition, hiding: Hiding, number: u64) -> Outcome {
-    let task = Task { row, part: row.to_owned(), rig, condition, hiding, method: Method::default(), number, stream: format!("{row} {row}") };
+    let task =
+        Task { row, part: row.to_owned(), rig, condition, hiding, method: Method::default(), number, stream: format!("{row} {row}") };
     run(&task, None, false).expect("this can be hidden here")
 }
 

@@ -4,6 +4,7 @@
 //! coordinate was seen to move), from which the fixed numbers of a shape are taken.
 
 mod actuator;
+mod aero;
 mod inertial;
 mod joint;
 mod own;
@@ -160,7 +161,7 @@ pub struct Scales {
 }
 
 /// Ids of all effects, whether or not a rig has a place for them.
-pub const IDS: [&str; 31] = [
+pub const IDS: [&str; 32] = [
     "viscous",
     "coulomb",
     "stribeck",
@@ -183,6 +184,7 @@ pub const IDS: [&str; 31] = [
     "actuator_lag",
     "input_coupling",
     "rotor_gyroscopic",
+    "ground_effect",
     "sensor_bias",
     "sensor_scale",
     "sensor_delay",
@@ -208,6 +210,7 @@ pub fn catalogue(rig: &Rig, scales: &Scales) -> Vec<Effect> {
     let mut names = Names::new(rig);
     joint::effects(rig, scales, &mut names, &mut all);
     actuator::effects(rig, scales, &mut names, &mut all);
+    aero::effects(rig, scales, &mut names, &mut all);
     sensor::effects(rig, &mut names, &mut all);
     inertial::effects(rig, &mut names, &mut all);
     all
@@ -244,6 +247,20 @@ impl Names {
         }
         self.taken.push(name.clone());
         name
+    }
+}
+
+/// An effect that is a statement more.
+pub(crate) fn added(id: &str, place: &str, parameters: Vec<EffectParameter>, shape: Option<String>, statement: String) -> Effect {
+    Effect {
+        id: id.to_owned(),
+        place: place.to_owned(),
+        parameters,
+        shape,
+        edit: Edit::Add(statement),
+        signature: Signature::Parameters,
+        of_the_day: false,
+        by_record: false,
     }
 }
 

@@ -73,7 +73,11 @@ pub(crate) fn finish(
             candidate.status = format!("rejected: {}", r.why);
         }
     }
-    let ambiguous = answer.findings.iter().any(|f| !f.equivalent.is_empty());
+    let equivalents = answer.findings.iter().find(|f| !f.equivalent.is_empty()).map(|f| {
+        let list: Vec<String> = f.equivalent.iter().map(|(id, place)| format!("{id} on {place}")).collect();
+        format!("these records cannot tell {} on {} from {}", f.effect, f.place, list.join(", "))
+    });
+    let besides = equivalents.as_ref().map(|e| format!("; besides, {e}")).unwrap_or_default();
     let words = left_over.as_ref().map(|w| format!("; left over: {w}")).unwrap_or_default();
     // what the last model still leaves open
     let open: Vec<&Rejected> = rejected.iter().filter(|r| r.significant && r.turn == last).collect();
@@ -102,24 +106,15 @@ pub(crate) fn finish(
         } else {
             (Verdict::NoGap, "nothing is missing that these records could show".to_owned())
         }
-    } else if ambiguous {
-        let of = answer.findings.iter().find(|f| !f.equivalent.is_empty());
-        let list =
-            of.map_or(String::new(), |f| f.equivalent.iter().map(|(id, place)| format!("{id} on {place}")).collect::<Vec<_>>().join(", "));
-        (
-            Verdict::Ambiguous,
-            format!(
-                "these records cannot tell {} from {list}{words}",
-                of.map_or(String::new(), |f| format!("{} on {}", f.effect, f.place))
-            ),
-        )
+    } else if let Some(equivalents) = equivalents.as_ref().filter(|_| left_over.is_none()) {
+        (Verdict::Ambiguous, equivalents.clone())
     } else if !untold.is_empty() && !contradicted {
         (
             Verdict::Partial,
-            format!("the test records cannot confirm {}, which the training records ask for besides{words}", untold.join(" or ")),
+            format!("the test records cannot confirm {}, which the training records ask for besides{words}{besides}", untold.join(" or ")),
         )
     } else if contradicted || left_over.is_some() {
-        (Verdict::Partial, format!("something is left that no candidate explains{words}"))
+        (Verdict::Partial, format!("something is left that no candidate explains{words}{besides}"))
     } else {
         (Verdict::Complete, "what is left is white".to_owned())
     };

@@ -1,7 +1,7 @@
 //! Effects on the way from a command to what it moves.
 
-use super::unit::{Text, of_rate, of_row};
-use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, parameter, rounded, shape};
+use super::unit::{Text, of_row};
+use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, added, parameter, rounded, shape};
 use model_dsl::rig::Rig;
 
 pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut Vec<Effect>) {
@@ -114,16 +114,6 @@ fn couplings(rig: &Rig, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
     let input = &rig.inputs[j];
     let unit = Text::read(&input.unit.text);
     let free: Vec<usize> = (0..rig.coordinates.len()).filter(|&i| !rig.coordinates[i].prescribed).collect();
-    let add = |id: &str, place: String, p: EffectParameter, statement: String| Effect {
-        id: id.to_owned(),
-        place,
-        parameters: vec![p],
-        shape: None,
-        edit: Edit::Add(statement),
-        signature: Signature::Parameters,
-        of_the_day: false,
-        by_record: false,
-    };
     if free.len() < 2 {
         return;
     }
@@ -131,17 +121,7 @@ fn couplings(rig: &Rig, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
         let (u, q) = (&input.name, &rig.coordinates[i].name);
         let name = names.free(&format!("k_{u}_{q}"));
         let p = parameter(&name, of_row(rig, i).by(&unit, -1).text(), false, "input on this coordinate");
-        out.push(add("input_coupling", format!("{u}->{q}"), p, format!("torque coupling_{u}_{q} on {q}: {name} * {u};")));
-        if free.len() < 3 {
-            continue;
-        }
-        for &k in free.iter().filter(|&&k| k != i) {
-            let v = &rig.coordinates[k].name;
-            let name = names.free(&format!("H_{u}_{v}_{q}"));
-            let unit = of_row(rig, i).by(&unit, -1).by(&of_rate(rig, k), -1).text();
-            let p = parameter(&name, unit, false, "rotor momentum by input");
-            let statement = format!("torque gyroscopic_{u}_{v}_{q} on {q}: {name} * {u} * {v}.dot;");
-            out.push(add("rotor_gyroscopic", format!("{u},{v}->{q}"), p, statement));
-        }
+        let statement = format!("torque coupling_{u}_{q} on {q}: {name} * {u};");
+        out.push(added("input_coupling", &format!("{u}->{q}"), vec![p], None, statement));
     }
 }

@@ -1,7 +1,7 @@
 //! Effects in a joint: friction, springs, stops, torques that are constant or turn with an angle, products of rates.
 
 use super::unit::{is_angle, of_coordinate, of_rate, of_row};
-use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, parameter, rounded, shape};
+use super::{Effect, Names, Scales, added, parameter, rounded, shape};
 use model_dsl::rig::{Expr, Rig, Symbol};
 
 /// Periods per turn that are tried.
@@ -25,23 +25,9 @@ pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut V
 }
 
 /// The coordinate is an angle that may turn, or did by more than half a turn.
-fn turns(rig: &Rig, scales: &Scales, i: usize) -> bool {
+pub(super) fn turns(rig: &Rig, scales: &Scales, i: usize) -> bool {
     let wide = |(lo, hi): (f64, f64)| hi - lo > std::f64::consts::PI;
     is_angle(rig, i) && rig.coordinates[i].range.is_none_or(wide) && scales.range.get(i).copied().is_some_and(wide)
-}
-
-fn add(id: &str, place: &str, parameters: Vec<EffectParameter>, shape: Option<String>, statement: String) -> Effect {
-    let signature = Signature::Parameters;
-    Effect {
-        id: id.to_owned(),
-        place: place.to_owned(),
-        parameters,
-        shape,
-        edit: Edit::Add(statement),
-        signature,
-        of_the_day: false,
-        by_record: false,
-    }
 }
 
 fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut Vec<Effect>) {
@@ -50,7 +36,7 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
     let rate_unit = rate.text();
     let name = names.free(&format!("b_{q}"));
     let p = vec![parameter(&name, row.by(&rate, -1).text(), true, "viscous friction")];
-    out.push(add("viscous", q, p, None, format!("friction viscous_{q} on {q} {{ viscous {name}; }}")));
+    out.push(added("viscous", q, p, None, format!("friction viscous_{q} on {q} {{ viscous {name}; }}")));
 
     let typical = scales.rate.get(i).copied().unwrap_or(0.0);
     // another width of a friction that is there is no effect
@@ -62,7 +48,7 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
             let name = names.free(&format!("F_c_{q}"));
             let p = vec![parameter(&name, row.text(), true, "Coulomb friction")];
             let statement = format!("friction coulomb_{q}{} on {q} {{ coulomb {name} width {width} [{rate_unit}]; }}", tail(k));
-            out.push(add("coulomb", q, p, Some(format!("width {width} {rate_unit}")), statement));
+            out.push(added("coulomb", q, p, Some(format!("width {width} {rate_unit}")), statement));
         }
         for (k, share) in [0.1, 0.3].into_iter().enumerate() {
             let speed = rounded(share * typical);
@@ -73,7 +59,7 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
             ];
             let statement =
                 format!("torque stribeck_{q}{} on {q}: -{name} * exp(-({q}.dot / {v_s})^2) * tanh({q}.dot / (0.2 * {v_s}));", tail(k));
-            out.push(add("stribeck", q, p, Some(format!("speed {speed} {rate_unit}")), statement));
+            out.push(added("stribeck", q, p, Some(format!("speed {speed} {rate_unit}")), statement));
         }
     }
     let (slope, offset) = (names.free(&format!("b_a_{q}")), names.free(&format!("c_a_{q}")));
@@ -81,10 +67,10 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
         parameter(&slope, row.by(&rate, -1).text(), false, "slope of asymmetric friction"),
         parameter(&offset, row.text(), false, "offset of asymmetric friction"),
     ];
-    out.push(add("asymmetric_friction", q, p, None, format!("friction asymmetric_{q} on {q} {{ asymmetric {slope}, {offset}; }}")));
+    out.push(added("asymmetric_friction", q, p, None, format!("friction asymmetric_{q} on {q} {{ asymmetric {slope}, {offset}; }}")));
     let name = names.free(&format!("c_2_{q}"));
     let p = vec![parameter(&name, row.by(&rate, -2).text(), true, "quadratic drag")];
-    out.push(add("quadratic_drag", q, p, None, format!("friction drag_{q} on {q} {{ quadratic {name}; }}")));
+    out.push(added("quadratic_drag", q, p, None, format!("friction drag_{q} on {q} {{ quadratic {name}; }}")));
 }
 
 fn position(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut Vec<Effect>) {
@@ -92,13 +78,13 @@ fn position(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
     let (row, unit) = (of_row(rig, i), of_coordinate(rig, i));
     let (k, t0) = (names.free(&format!("k_{q}")), names.free(&format!("tau_k_{q}")));
     let p = vec![parameter(&k, row.by(&unit, -1).text(), true, "stiffness"), parameter(&t0, row.text(), false, "its force at zero")];
-    out.push(add("spring", q, p, None, format!("torque spring_{q} on {q}: {t0} - {k} * {q};")));
+    out.push(added("spring", q, p, None, format!("torque spring_{q} on {q}: {t0} - {k} * {q};")));
     let name = names.free(&format!("k_3_{q}"));
     let p = vec![parameter(&name, row.by(&unit, -3).text(), false, "cubic stiffness")];
-    out.push(add("cubic_spring", q, p, None, format!("torque cubic_{q} on {q}: -{name} * {q}^3;")));
+    out.push(added("cubic_spring", q, p, None, format!("torque cubic_{q} on {q}: -{name} * {q}^3;")));
     let name = names.free(&format!("tau_0_{q}"));
     let p = vec![parameter(&name, row.text(), false, "constant torque")];
-    let mut constant = add("constant_torque", q, p, None, format!("torque constant_{q} on {q}: {name};"));
+    let mut constant = added("constant_torque", q, p, None, format!("torque constant_{q} on {q}: {name};"));
     constant.of_the_day = true;
     out.push(constant);
     let Some(&(lo, hi)) = scales.range.get(i) else { return };
@@ -117,7 +103,7 @@ fn position(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
                 shape(&to, unit_text.clone(), high, (hi - third, hi), "where the upper stop begins"),
             ];
             let statement = format!("torque stop_{q}{} on {q}: {below} * max({from} - {q}, 0) - {above} * max({q} - {to}, 0);", tail(k));
-            out.push(add("hard_stop", q, p, Some(format!("from {low} and {high} {unit_text}")), statement));
+            out.push(added("hard_stop", q, p, Some(format!("from {low} and {high} {unit_text}")), statement));
         }
     }
 }
@@ -131,7 +117,7 @@ fn periodic(rig: &Rig, angle: usize, row: usize, names: &mut Names, out: &mut Ve
         let of = if n == 1 { psi.clone() } else { format!("{n} * {psi}") };
         let place = if angle == row { q.clone() } else { format!("{psi}->{q}") };
         let statement = format!("torque periodic_{psi}_{q}_{n} on {q}: {s} * sin({of}) + {c} * cos({of});");
-        out.push(add("periodic_torque", &place, p, Some(format!("{n} per turn")), statement));
+        out.push(added("periodic_torque", &place, p, Some(format!("{n} per turn")), statement));
     }
 }
 
@@ -149,7 +135,7 @@ fn velocity_products(rig: &Rig, free: &[usize], names: &mut Names, out: &mut Vec
                 let p = vec![parameter(&name, unit.text(), false, "product of rates")];
                 let product = if i == j { format!("{vi}.dot^2") } else { format!("{vi}.dot * {vj}.dot") };
                 let statement = format!("torque product_{q}_{vi}_{vj} on {q}: {name} * {product};");
-                out.push(add("velocity_product", &format!("{vi},{vj}->{q}"), p, None, statement));
+                out.push(added("velocity_product", &format!("{vi},{vj}->{q}"), p, None, statement));
             }
         }
     }
