@@ -1,6 +1,8 @@
 //! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME] [--numbers 3,7]
-//! [--records FOLDER] [--aloud]`; `--table FILE ..` prints what files hold; `--examples FOLDER` writes the records of `examples/hidden`.
+//! [--records FOLDER] [--aloud]`; `--table FILE ..` prints what files hold; `--growth` what a diagnosis costs; `--examples FOLDER` writes the
+//! records of `examples/hidden`.
 
+use battery::growth;
 use battery::rigs::Rig;
 use battery::rows::{ROWS, tasks};
 use battery::run::{Outcome, run};
@@ -11,16 +13,30 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--numbers 3,7] [--records FOLDER] [--aloud]\n       battery --table FILE ..\n       battery --examples FOLDER";
+const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--numbers 3,7] [--records FOLDER] [--aloud]\n       battery --table FILE ..\n       battery --growth\n       battery --examples FOLDER";
 
 fn main() -> ExitCode {
-    match work(std::env::args().skip(1).collect()) {
+    let given: Vec<String> = std::env::args().skip(1).collect();
+    let done = match given.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["--growth"] => growth::table().map(|table| print!("{table}")),
+        ["--growth-case", samples, entries] => one_case(samples, entries),
+        _ => work(given),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(why) => {
             eprintln!("{why}");
             ExitCode::FAILURE
         }
     }
+}
+
+/// A case of the growth, for the process that asked for it.
+fn one_case(samples: &str, entries: &str) -> Result<(), String> {
+    let number = |text: &str| text.parse::<usize>().map_err(|_| format!("`{text}` is no number\n{USAGE}"));
+    let cost = growth::case(number(samples)?, number(entries)?)?;
+    println!("{}", serde_json::to_string(&cost).map_err(|e| e.to_string())?);
+    Ok(())
 }
 
 struct Arguments {

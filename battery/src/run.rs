@@ -165,7 +165,8 @@ fn families(rig: Rig, number: u64) -> Vec<&'static str> {
 }
 
 /// Records of the fitting side.
-fn record(name: &str, samples: &Samples, rig: Rig) -> Record {
+#[must_use]
+pub fn record(name: &str, samples: &Samples, rig: Rig) -> Record {
     let (outputs, inputs) = rig.names();
     let column = |name: &str, values: &Vec<f64>| Column { name: name.to_owned(), unit: None, values: values.clone() };
     let columns = outputs.iter().zip(&samples.y).chain(inputs.iter().zip(&samples.u)).map(|(n, v)| column(n, v)).collect();

@@ -6,7 +6,7 @@
 //! correlated scores. The variance of R^T z is also taken from the record itself, in case z is not as white as it should be; the
 //! larger one counts.
 
-use crate::chance::{Chance, beyond, quantile};
+use crate::chance::{Chance, beyond, quantile, variance_of_sum};
 use crate::effects::{Effect, Signature};
 use crate::model::Prepared;
 use ident::fit::FitError;
@@ -311,45 +311,39 @@ impl Test {
 
 fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], time: &[usize]) -> Score {
     let k = test.range.len();
-    let row = |s: usize| &residual[s * m + test.range.start..s * m + test.range.end];
+    let rows = || residual.chunks_exact(m).map(|row| &row[test.range.clone()]);
     let mut b = DVector::<f64>::zeros(k);
-    for (s, z) in z.iter().enumerate() {
-        b += DVector::from_fn(k, |i, _| row(s)[i] * z);
+    for (row, z) in rows().zip(z) {
+        b.iter_mut().zip(row).for_each(|(b, r)| *b += r * z);
     }
     let mut statistic = test.statistic(&b);
     // the jacobian is that of the innovations: the step that removes them is down its slope
     let estimate = -(&test.inverse * &b);
-    // the record's own variance of the scores: of what is left with the effect, summed over the outputs of one sample
-    let mut moments: Vec<(usize, usize, DVector<f64>)> = Vec::new();
-    for s in 0..z.len() {
-        let r = row(s);
-        let left = z[s] + r.iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>();
-        let product = DVector::from_fn(k, |i, _| r[i] * left);
+    let along: Vec<f64> = rows().map(|row| row.iter().zip(estimate.iter()).map(|(r, e)| r * e).sum()).collect();
+    // the record's own variance of the score along the step: of what is left with the effect, summed over the outputs of one sample
+    let mut moments: Vec<Vec<f64>> = Vec::new();
+    let mut last = None;
+    for ((along, z), at) in along.iter().zip(z).zip(record.iter().zip(time)) {
+        let product = along * (z + along);
+        let new_record = last.is_none_or(|(r, _)| r != at.0);
         match moments.last_mut() {
-            Some((at, of, sum)) if *at == time[s] && *of == record[s] => *sum += &product,
-            _ => moments.push((time[s], record[s], product)),
+            Some(of) if !new_record => match of.last_mut() {
+                Some(sum) if last == Some(at) => *sum += product,
+                _ => of.push(product),
+            },
+            _ => moments.push(vec![product]),
         }
+        last = Some(at);
     }
-    let mut meat = DMatrix::<f64>::zeros(k, k);
-    for lag in 0..=LAGS.min(moments.len().saturating_sub(1)) {
-        let weight = if lag == 0 { 0.5 } else { 1.0 - lag as f64 / (LAGS as f64 + 1.0) };
-        for (a, c) in moments.iter().zip(&moments[lag..]) {
-            if a.1 == c.1 {
-                meat += weight * (&a.2 * c.2.transpose() + &c.2 * a.2.transpose());
-            }
-        }
-    }
-    let meat_of = (estimate.transpose() * &meat * &estimate)[(0, 0)];
+    let meat_of: f64 = moments.iter().map(|of| variance_of_sum(of, LAGS)).sum();
     let model_of = (estimate.transpose() * &test.normal * &estimate)[(0, 0)];
     if meat_of > model_of && model_of > 0.0 {
         statistic *= model_of / meat_of;
     }
     let p_single = if test.speaks() { beyond(statistic, test.degrees) } else { 1.0 };
     let step = (0..k).map(|i| (estimate[i], test.inverse[(i, i)].max(0.0).sqrt())).collect();
-    let mut direction: Vec<f32> =
-        (0..z.len()).map(|s| row(s).iter().zip(estimate.iter()).map(|(r, e)| r * e).sum::<f64>() as f32).collect();
-    let length = direction.iter().map(|d| f64::from(*d).powi(2)).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
-    direction.iter_mut().for_each(|d| *d = (f64::from(*d) / length) as f32);
+    let length = along.iter().map(|d| d * d).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
+    let direction = along.iter().map(|d| (d / length) as f32).collect();
     Score {
         statistic,
         degrees: test.degrees,
