@@ -32,7 +32,8 @@ pub fn unnamed<'a>(prepared: &Prepared, scales: &Scales) -> Vec<Seen<'a>> {
     all
 }
 
-/// The effect multiplied by what depends on position and rate of the joints that it is about (of all where it is about none), and on time.
+/// The effect multiplied by what depends on position and rate of the joints that it is about (of all where it is about none), on inputs, and
+/// on time.
 pub fn uneven<'a>(prepared: &Prepared, scales: &Scales, effect: &Effect, coefficients: &[usize]) -> Vec<Seen<'a>> {
     let rig = &prepared.base.rig;
     let named: Vec<&str> = effect.place.split(['>', '-', ',']).collect();
@@ -50,6 +51,13 @@ pub fn uneven<'a>(prepared: &Prepared, scales: &Scales, effect: &Effect, coeffic
     for i in about {
         of_angle(prepared, scales, i, &mut add);
         of_place(prepared, scales, i, &mut add);
+    }
+    for (j, input) in rig.inputs.iter().enumerate() {
+        let largest = scales.input.get(j).map_or(0.0, |s| s.0);
+        if largest > 0.0 {
+            let powers = (1..3).map(|k| -> Box<Shape> { Box::new(move |_, _: &[f64], u| (u[j] / largest).powi(k)) });
+            add(powers.collect(), format!("changing with {}", input.name));
+        }
     }
     let duration = scales.duration.max(f64::MIN_POSITIVE);
     let powers = (1..3).map(|k| -> Box<Shape> { Box::new(move |t, _: &[f64], _| (t / duration).powi(k)) });
