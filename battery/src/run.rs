@@ -438,7 +438,8 @@ fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Move
         let id = *ids.get(chance.index(ids.len()))?;
         let own: Vec<&&Candidate> = told.iter().filter(|c| c.effect == id).collect();
         let c = own.get(chance.index(own.len()))?;
-        if chosen.iter().any(|(_, class)| *class == c.class) {
+        let twice = |h: &Hidden| h.effect == c.effect && h.place == c.place;
+        if chosen.iter().any(|(h, class)| *class == c.class || twice(h)) {
             continue;
         }
         let detectable = detectable(c);
