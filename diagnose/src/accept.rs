@@ -28,7 +28,7 @@ pub struct Tried {
 }
 
 /// What acceptance found.
-pub struct Judged {
+pub struct Ruling {
     /// Why not; `None`: accepted.
     pub refused: Option<Refusal>,
     /// Gain on the test records [nats/sample], half width of its 95 % interval.
@@ -119,7 +119,7 @@ pub struct Bench<'a> {
 ///
 /// # Errors
 /// [`DiagnoseError`] where a training record cannot be followed.
-pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<Judged, DiagnoseError> {
+pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<Ruling, DiagnoseError> {
     let by_record = tried.included.last().is_some_and(|i| i.effect.by_record);
     // what belongs to the day is judged on the second half of every record, with what its first half says
     let (later, p_later) =
@@ -133,7 +133,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         weigh(bench.before, &after, bench.horizon)
     };
     let error_ratio = weighed.iter().map(Weighed::ratio).sum::<f64>() / weighed.len().max(1) as f64;
-    let refuse = |why: Refusal, gain: (f64, f64)| Ok(Judged { refused: Some(why), gain, error_ratio });
+    let refuse = |why: Refusal, gain: (f64, f64)| Ok(Ruling { refused: Some(why), gain, error_ratio });
     let none = (0.0, f64::INFINITY);
     let own = tried.prepared.of_effect.last().cloned().unwrap_or_default();
     let estimates: Vec<_> = tried.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).collect();
@@ -142,7 +142,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     }
     if !options.method.other_records {
         let gain = (tried.fitted.found.log_likelihood - bench.fitted.found.log_likelihood) / tried.fitted.found.samples.max(1) as f64;
-        return Ok(Judged { refused: (gain <= 0.0).then_some(Refusal::Vanishes), gain: (gain, 0.0), error_ratio });
+        return Ok(Ruling { refused: (gain <= 0.0).then_some(Refusal::Vanishes), gain: (gain, 0.0), error_ratio });
     }
     let way = if estimates.is_empty() { Way::From(&bench.prepared.model) } else { Way::Parameters(&own) };
     let noise = &tried.fitted.found.noise;
@@ -186,7 +186,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     if weighed.iter().any(Weighed::worse) || error_ratio > WORSE {
         return refuse(Refusal::Worse, gain);
     }
-    Ok(Judged { refused: None, gain, error_ratio })
+    Ok(Ruling { refused: None, gain, error_ratio })
 }
 
 /// Second halves of all records, and parameters with what the first halves say of the day.

@@ -55,11 +55,11 @@ pub(crate) fn propose(ask: &Question<'_>, open: &Open<'_>, tracks: &[Track]) -> 
     if others.is_empty() {
         others.push(prepare(ask.base, ask.asked, &plain, plain.len()).ok()?);
     }
-    let (t, start, seen) = setting(open.with, tracks)?;
+    let ground = ground(open.with, tracks)?;
     let mut best: Option<(f64, String)> = None;
     let mut tried = 0;
-    for design in designs(open.with, &p, first, &t) {
-        let Some(record) = simulated(&open.with.prepared, &p, &t, &start, &design, &seen, first) else { continue };
+    for design in designs(open.with, &p, first, &ground.t) {
+        let Some(record) = simulated(&open.with.prepared, &p, &ground, &design, first) else { continue };
         let Some(with) = likeliest(open.with, &open.with.prepared, &p, &record, ask, false) else { continue };
         tried += 1;
         let behind = |prepared: &Prepared| {
@@ -106,9 +106,16 @@ fn likeliest(state: &State, prepared: &Prepared, p: &[f64], record: &Record, ask
     estimate(&prepared.model, &specs, &mut tracks, &[p.to_vec()], noise, effort).ok().map(|found| found.log_likelihood)
 }
 
-/// Time stamps, the state at which the first record began, and how far each coordinate may go.
-#[allow(clippy::type_complexity)]
-fn setting(state: &State, tracks: &[Track]) -> Option<(Vec<f64>, Vec<f64>, Vec<(f64, f64)>)> {
+/// What all experiments that are tried have in common.
+struct Ground {
+    t: Vec<f64>,
+    /// State at which the first record began.
+    start: Vec<f64>,
+    /// How far each coordinate may go.
+    room: Vec<(f64, f64)>,
+}
+
+fn ground(state: &State, tracks: &[Track]) -> Option<Ground> {
     let first = tracks.first()?;
     let times = first.times();
     let period = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
@@ -130,7 +137,7 @@ fn setting(state: &State, tracks: &[Track]) -> Option<(Vec<f64>, Vec<f64>, Vec<(
         let room = BEYOND * (s.1 - s.0);
         *s = rig.coordinates.get(i).and_then(|c| c.range).unwrap_or((s.0 - room, s.1 + room));
     }
-    Some((t, start?, seen))
+    Some(Ground { t, start: start?, room: seen })
 }
 
 /// Inputs that are tried: each input, as large as it was seen and as large as its limits allow; the others stay where they were at the
@@ -189,15 +196,7 @@ fn designs(state: &State, p: &[f64], first: &Track, t: &[f64]) -> Vec<Design> {
 }
 
 /// The record that the model would make; `None` where it leaves its range.
-fn simulated(
-    prepared: &Prepared,
-    p: &[f64],
-    t: &[f64],
-    start: &[f64],
-    design: &Design,
-    seen: &[(f64, f64)],
-    first: &Track,
-) -> Option<Record> {
+fn simulated(prepared: &Prepared, p: &[f64], Ground { t, start, room }: &Ground, design: &Design, first: &Track) -> Option<Record> {
     let model = &prepared.model;
     let d = model.dimensions();
     let resting = first.inputs(model, p, first.times()[0]);
@@ -214,7 +213,7 @@ fn simulated(
     if run.status != Status::Completed {
         return None;
     }
-    let inside = |k: usize| seen.iter().zip(run.state(k)).all(|((lo, hi), x)| *lo <= *x && *x <= *hi);
+    let inside = |k: usize| room.iter().zip(run.state(k)).all(|((lo, hi), x)| *lo <= *x && *x <= *hi);
     if !(0..t.len()).all(inside) {
         return None;
     }

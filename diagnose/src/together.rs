@@ -1,6 +1,6 @@
 //! Effects that pass only together: while one is missing, the records contradict each other about the other one.
 
-use crate::accept::{Bench, Judged, Tried, judge};
+use crate::accept::{Bench, Ruling, Tried, judge};
 use crate::base_fit::{Fitted, refit};
 use crate::effects::Effect;
 use crate::error::DiagnoseError;
@@ -23,7 +23,7 @@ pub(crate) struct Passed {
     /// p-value in the family, with those before it.
     pub p_family: f64,
     /// What acceptance found, all others of the group being there.
-    pub verdict: Judged,
+    pub verdict: Ruling,
     /// Squared error of predictions over that of the group before it joined.
     pub error_ratio: f64,
 }
@@ -56,7 +56,7 @@ pub(crate) fn together(
     let Against { effects, held, horizon } = *against;
     let tell = ask.options.progress;
     let before = first.tried.included.len() - 1;
-    let none = Judged { refused: None, gain: (0.0, f64::INFINITY), error_ratio: 1.0 };
+    let none = Ruling { refused: None, gain: (0.0, f64::INFINITY), error_ratio: 1.0 };
     let mut group = vec![Passed {
         effect: first.effect,
         equivalent: first.equivalent,
@@ -72,11 +72,14 @@ pub(crate) fn together(
         tell(&format!("  beside {}: screening {} candidates ..", state.accepted[before].effect.title(), left.len()));
         let round = state.screen(ask, &left, tracks, &[])?;
         let at_gate = predicted(&state.fitted, &state.prepared, held, horizon);
-        let mut next: Option<(Tried, Judged)> = None;
+        let mut next: Option<(Tried, Ruling)> = None;
         for mut tried in state.try_best(ask, &left, &round, tracks, held).into_iter().take(COMPANIONS) {
             state.work_out(ask, &left, &round, &mut tried, tracks, held)?;
             let bench = Bench { prepared: &state.prepared, fitted: &state.fitted, train: tracks, held, before: &at_gate, horizon };
             let verdict = judge(&bench, &tried, ask.options)?;
+            if let Some(why) = &verdict.refused {
+                tell(&format!("    {}: {why}", left[tried.index].title()));
+            }
             let passes = verdict.refused.is_none();
             // the strongest one goes on where none passes: a third may be missing
             if passes || next.is_none() {

@@ -61,8 +61,7 @@ pub fn before(
     hold: Hold,
 ) -> Vec<Overlaid> {
     let mut all = Vec::new();
-    let held = test.iter().zip(p_test).map(|(record, p)| (record, p, true));
-    for (record, p, held_out) in train.iter().zip(p_train).map(|(record, p)| (record, p, false)).chain(held) {
+    for (record, p, held_out) in walk((train, p_train), (test, p_test)) {
         for (signal, measured, simulated) in run(model, p, record, hold) {
             let output = (0..model.dimensions().outputs).find(|&i| model.names().output(i) == signal);
             all.push(Overlaid {
@@ -90,14 +89,22 @@ pub fn after(
     test: &[Record],
     hold: Hold,
 ) {
-    let held = test.iter().zip(p_test).map(|(record, p)| (record, p, true));
-    for (record, p, held_out) in train.iter().zip(p_train).map(|(record, p)| (record, p, false)).chain(held) {
+    for (record, p, held_out) in walk((train, p_train), (test, p_test)) {
         for (signal, _, simulated) in run(model, p, record, hold) {
             if let Some(own) = all.iter_mut().find(|o| o.record == record.source && o.held_out == held_out && o.signal == signal) {
                 own.after = Some(simulated);
             }
         }
     }
+}
+
+/// Records and their parameters, and whether they were held out.
+fn walk<'a>(
+    (train, p_train): (&'a [Record], &'a [Vec<f64>]),
+    (test, p_test): (&'a [Record], &'a [Vec<f64>]),
+) -> impl Iterator<Item = (&'a Record, &'a Vec<f64>, bool)> {
+    let held = test.iter().zip(p_test).map(|(record, p)| (record, p, true));
+    train.iter().zip(p_train).map(|(record, p)| (record, p, false)).chain(held)
 }
 
 /// Name, measured and simulated values of each output; none where the record does not fit the model.

@@ -2,7 +2,7 @@
 //!
 //! look at the records -> fit the base -> where -> screen -> refit the few best -> accept one or none -> again -> verdict -> patch.
 
-use crate::accept::{Bench, Judged, Refusal, Tried, judge};
+use crate::accept::{Bench, Refusal, Ruling, Tried, judge};
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
 use crate::base_fit::{fit_base, refit};
 use crate::effects::{Effect, IDS, Scales, by_record, catalogue};
@@ -284,7 +284,7 @@ pub fn diagnose(
 }
 
 /// A candidate that passed on its own.
-fn alone_passed(tried: Tried, verdict: Judged, numbers: &[usize], round: &Round) -> (State, Vec<Passed>) {
+fn alone_passed(tried: Tried, verdict: Ruling, numbers: &[usize], round: &Round) -> (State, Vec<Passed>) {
     let passed = Passed {
         effect: numbers[tried.index],
         equivalent: tried.equivalent.iter().map(|&i| numbers[i]).collect(),

@@ -26,11 +26,17 @@ impl Scale {
         if self.log {
             return self.decades(count);
         }
-        let step = nice((self.to - self.from) / count.max(1) as f64);
+        let ends = |step: f64| ((self.from / step - 1e-9).ceil(), (self.to / step + 1e-9).floor());
+        let mut step = nice((self.to - self.from) / count.max(1) as f64);
         if !(step > 0.0 && step.is_finite()) {
             return Vec::new();
         }
-        let (first, last) = ((self.from / step - 1e-9).ceil(), (self.to / step + 1e-9).floor());
+        // one tick is no scale
+        let (first, last) = ends(step);
+        if last - first < 1.0 {
+            step = nice(0.3 * step);
+        }
+        let (first, last) = ends(step);
         let ticks = (last - first).clamp(0.0, 100.0) as usize;
         let large = self.from.abs().max(self.to.abs());
         (0..=ticks)
@@ -137,6 +143,7 @@ mod tests {
     fn ticks_read_well() {
         assert_eq!(labels(0.0, 25.0, false, 6), ["0", "5", "10", "15", "20", "25"]);
         assert_eq!(labels(-0.13, 0.21, false, 4), ["-0.1", "0", "0.1", "0.2"]);
+        assert_eq!(labels(0.6, 3.4, false, 2), ["1", "2", "3"]);
         assert_eq!(labels(0.01, 100.0, true, 6), ["0.01", "0.1", "1", "10", "100"]);
         assert_eq!(labels(1.0, 1.00001, false, 2), ["1.000000e0", "1.000005e0", "1.000010e0"]);
         assert_eq!(labels(0.0, 4e6, false, 4), ["0", "1e6", "2e6", "3e6", "4e6"]);
