@@ -11,6 +11,7 @@ use ident::fit::minimize::Limits;
 use ident::fit::{FitError, FitOptions, Loss, ParameterSpec, identify};
 use ident::innovations::{EstimateOptions, Estimated, Noise, Track, estimate, likelihood};
 use ident::record::Record;
+use sim::Hold;
 
 /// A fitted model.
 #[derive(Clone)]
@@ -81,15 +82,19 @@ const LOST: f64 = 8.0;
 /// How far parameters may then go from there, as a prior.
 const NEAR: f64 = 0.1;
 
+/// Samples at the beginning of each record by which a start is chosen.
+const CHOOSES: usize = 3000;
+
 /// Fits the rig as it is: from its own values and from those of output error, whichever the records find likelier. Comes with the
-/// parameters as they are to be treated from now on.
+/// parameters as they are to be treated from now on. Training records come as they are, and as an output error starts from them, with how the
+/// inputs of these are held.
 ///
 /// Likelihood alone can lose a rig whose model is far from it: heavier and heavier bodies, pushed by larger and larger random forces, until
 /// the inputs do nothing. Where the fit predicts worse than where it began, parameters stay near there.
 pub fn fit_base(
     plain: &Prepared,
     asked: &[ParameterSpec],
-    train: &[Record],
+    (train, starting, hold): (&[Record], &[Record], Hold),
     tracks: &mut [Track],
     held: &[Track],
     options: &Options<'_>,
@@ -99,16 +104,16 @@ pub fn fit_base(
     if plain.specs.iter().any(|s| s.free) {
         // to its end: from a start half way the innovations go astray on records of axes that drift
         let limits = Limits { evaluations: 40, ..Limits::default() };
-        let fit = FitOptions { limits, hold: options.hold, loss: Loss::Huber(1.345), ..FitOptions::default() };
-        if let Ok(found) = identify(&plain.model, &plain.specs, train, &[], &fit) {
+        let fit = FitOptions { limits, hold, loss: Loss::Huber(1.345), ..FitOptions::default() };
+        if let Ok(found) = identify(&plain.model, &plain.specs, starting, &[], &fit) {
             starts.push(found.p_of_record);
         }
     }
     let mut best: Option<Estimated> = None;
     let mut failed = None;
     for start in &starts {
-        let noise = plain.noise(&Noise::guess(&plain.model, &p0, tracks, plain.entries.clone()));
-        let mut own = tracks.to_vec();
+        let mut own: Vec<Track> = tracks.iter().map(|t| t.part(0, t.times().len().min(CHOOSES), &plain.model, &p0)).collect();
+        let noise = plain.noise(&Noise::guess(&plain.model, &p0, &own, plain.entries.clone()));
         let rounds = EstimateOptions { rounds: 2, finest: 0.4, ..EstimateOptions::default() };
         match estimate(&plain.model, &plain.specs, &mut own, start, noise, rounds) {
             Ok(found) => {

@@ -193,6 +193,17 @@ pub fn stride(prepared: &Prepared, p: &[f64], records: &[Record]) -> usize {
     ((1.0 / (period * wanted) + 1e-6).floor() as usize).max(1)
 }
 
+/// Fewest samples a second, and of a record, from which an output error starts a fit.
+const START_RATE: f64 = 20.0;
+const START_SAMPLES: usize = 1500;
+
+/// How many samples are averaged into one where only starting values are wanted: a free run sees no more than the rig's own modes.
+pub fn stride_of_start(prepared: &Prepared, p: &[f64], record: &Record) -> usize {
+    let fastest = poles(prepared, p).iter().map(|p| p.norm()).fold(0.0, f64::max) / TAU;
+    let by_rate = (1.0 / (record.period() * START_RATE.max(PER_PERIOD * fastest)) + 1e-6).floor();
+    (by_rate.min((record.t.len() / START_SAMPLES) as f64) as usize).max(1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::outliers;

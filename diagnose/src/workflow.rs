@@ -13,7 +13,7 @@ use crate::model::{Prepared, prepare};
 use crate::next::{Open, propose};
 use crate::options::{Options, Step};
 use crate::patch::Base;
-use crate::quality::{ahead, integrates, look, mended, mistaken, stride};
+use crate::quality::{ahead, integrates, look, mended, mistaken, stride, stride_of_start};
 use crate::screen::{SAME, UNIQUE, cosine};
 use crate::search::{Question, Round, State, scales};
 use crate::strangers::strangers;
@@ -100,7 +100,16 @@ pub fn diagnose(
         return Ok(answer);
     }
     tell("fitting the base ..");
-    let (fitted, asked) = fit_base(&plain, asked, train, &mut tracks, &held, options)?;
+    // an output error starts from what a free run can see; inputs go straight between blocks
+    let (starting, held_still): (Vec<Record>, Vec<bool>) = train
+        .iter()
+        .map(|r| {
+            let block = stride_of_start(&plain, &p0, r);
+            (averaged(r, block, &wrapped, &held_inputs), block == 1)
+        })
+        .unzip();
+    let hold_of_start = if held_still.iter().all(|still| *still) { options.hold } else { Hold::First };
+    let (fitted, asked) = fit_base(&plain, asked, (train, &starting, hold_of_start), &mut tracks, &held, options)?;
     let asked = &asked[..];
     tell(&format!("  {}", in_words(&plain, &fitted.found.noise)));
     answer.faults = strangers(&plain, &fitted.found.p, &p0, &fitted.found.noise, &tracks)?;
