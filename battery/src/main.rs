@@ -18,7 +18,7 @@ const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--
 fn main() -> ExitCode {
     let given: Vec<String> = std::env::args().skip(1).collect();
     let done = match given.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["--growth"] => growth::table().map(|table| print!("{table}")),
+        ["--growth"] => growth::table().map(|table| say(&table)),
         ["--growth-case", samples, entries] => one_case(samples, entries),
         _ => work(given),
     };
@@ -31,11 +31,16 @@ fn main() -> ExitCode {
     }
 }
 
+/// To who reads it; nobody has to read to the end.
+fn say(text: &str) {
+    let _ = writeln!(std::io::stdout(), "{text}");
+}
+
 /// A case of the growth, for the process that asked for it.
 fn one_case(samples: &str, entries: &str) -> Result<(), String> {
     let number = |text: &str| text.parse::<usize>().map_err(|_| format!("`{text}` is no number\n{USAGE}"));
     let cost = growth::case(number(samples)?, number(entries)?)?;
-    println!("{}", serde_json::to_string(&cost).map_err(|e| e.to_string())?);
+    say(&serde_json::to_string(&cost).map_err(|e| e.to_string())?);
     Ok(())
 }
 
@@ -119,7 +124,7 @@ fn work(given: Vec<String>) -> Result<(), String> {
         for path in &arguments.table {
             all.extend(read(path)?);
         }
-        println!("{}", tables(&all));
+        say(&tables(&all));
         return Ok(());
     }
     if let Some(folder) = &arguments.examples {
@@ -168,6 +173,6 @@ fn work(given: Vec<String>) -> Result<(), String> {
             });
         }
     });
-    println!("{}", tables(&found.into_inner().map_err(|_| "a thread failed")?));
+    say(&tables(&found.into_inner().map_err(|_| "a thread failed")?));
     Ok(())
 }
