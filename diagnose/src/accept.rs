@@ -43,6 +43,13 @@ pub struct Ruling {
 pub enum Refusal {
     /// Refitted, it is not there.
     Vanishes,
+    /// Refitted, it is larger than such a thing can be: this parameter, at this value.
+    Absurd {
+        /// Parameter.
+        parameter: String,
+        /// Value (SI).
+        value: f64,
+    },
     /// Records say different things of its size.
     Contradiction {
         /// Probability of a difference as large where the sizes are equal.
@@ -69,6 +76,7 @@ impl fmt::Display for Refusal {
         let share = |s: &Share| format!("{:.2} +- {:.2}", s.value, 1.96 * s.sd);
         match self {
             Self::Vanishes => write!(f, "refitted it vanishes"),
+            Self::Absurd { parameter, value } => write!(f, "refitted, {parameter} is {value:.2}, larger than such a thing can be"),
             Self::Contradiction { p, shares } => {
                 let list: Vec<String> = shares.iter().map(|(name, s)| format!("{} in {name}", share(s))).collect();
                 write!(f, "records contradict each other about its size (p = {p:.1e}; shares {})", list.join(", "))
@@ -139,6 +147,15 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     let estimates: Vec<_> = tried.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).collect();
     if !estimates.is_empty() && estimates.iter().all(|u| u.value.abs() < 1.96 * u.sd) {
         return refuse(Refusal::Vanishes, none);
+    }
+    let limits = tried.included.last().map(|i| i.effect.parameters.as_slice()).unwrap_or_default();
+    let named = |i: usize| tried.prepared.specs[i].name.as_str();
+    let absurd = |(parameter, value): (usize, f64)| {
+        let most = limits.iter().find(|p| p.name == named(parameter))?.most?;
+        (value.abs() > most).then(|| Refusal::Absurd { parameter: named(parameter).to_owned(), value })
+    };
+    if let Some(why) = estimates.iter().find_map(|u| absurd((u.parameter, u.value))) {
+        return refuse(why, none);
     }
     if !options.method.other_records {
         let gain = (tried.fitted.found.log_likelihood - bench.fitted.found.log_likelihood) / tried.fitted.found.samples.max(1) as f64;

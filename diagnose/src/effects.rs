@@ -45,6 +45,8 @@ pub struct EffectParameter {
     pub unit: String,
     /// It cannot be negative.
     pub positive: bool,
+    /// Its largest magnitude (SI), where a larger one would be something else.
+    pub most: Option<f64>,
     /// What it is.
     pub doc: String,
     /// A number of the effect's shape, which says nothing where the coefficients are zero: where screening holds it, and within what it
@@ -266,7 +268,12 @@ pub(crate) fn added(id: &str, place: &str, parameters: Vec<EffectParameter>, sha
 
 /// A parameter of an effect.
 pub(crate) fn parameter(name: &str, unit: String, positive: bool, doc: &str) -> EffectParameter {
-    EffectParameter { name: name.to_owned(), unit, positive, doc: doc.to_owned(), shape: None }
+    EffectParameter { name: name.to_owned(), unit, positive, most: None, doc: doc.to_owned(), shape: None }
+}
+
+/// The same, with a largest magnitude.
+pub(crate) fn at_most(most: f64, parameter: EffectParameter) -> EffectParameter {
+    EffectParameter { most: Some(most), ..parameter }
 }
 
 /// A number of an effect's shape.

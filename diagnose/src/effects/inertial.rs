@@ -1,7 +1,10 @@
 //! Effects of masses: where they are, how many there are, which way is down, and what an assumption left out.
 
-use super::{Edit, Effect, EffectParameter, Names, Signature, parameter};
+use super::{Edit, Effect, EffectParameter, Names, Signature, at_most, parameter};
 use model_dsl::rig::{AssumptionKind, FrameRef, Rig};
+
+/// A base that leans by more than this [rad] would be seen.
+const STEEPEST: f64 = 0.5;
 
 pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
     let mut add = |id: &str, place: &str, parameters: Vec<EffectParameter>, edit: Edit, signature: Signature| {
@@ -36,8 +39,8 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
     {
         let (x, y) = (names.free("tilt_x"), names.free("tilt_y"));
         let p = vec![
-            parameter(&x, "rad".to_owned(), false, "lean of the base towards x"),
-            parameter(&y, "rad".to_owned(), false, "lean of the base towards y"),
+            at_most(STEEPEST, parameter(&x, "rad".to_owned(), false, "lean of the base towards x")),
+            at_most(STEEPEST, parameter(&y, "rad".to_owned(), false, "lean of the base towards y")),
         ];
         let along = format!("(sin({x}), cos({x}) * sin({y}), -cos({x}) * cos({y}))");
         out.push(Effect {

@@ -81,7 +81,7 @@ pub fn read_own(text: &str) -> Result<Vec<Effect>, OwnError> {
             let parameters = e
                 .parameters
                 .into_iter()
-                .map(|p| EffectParameter { name: p.name, unit: p.unit, positive: p.positive, doc: p.doc, shape: None })
+                .map(|p| EffectParameter { name: p.name, unit: p.unit, positive: p.positive, most: None, doc: p.doc, shape: None })
                 .collect();
             let (edit, signature) = (Edit::Add(e.text), Signature::Parameters);
             Ok(Effect { id: e.id, place: e.place, parameters, shape: None, edit, signature, of_the_day: false, by_record: false })

@@ -1,8 +1,11 @@
 //! Effects on the way from a motion to its measured value.
 
 use super::unit::{Text, is_angle};
-use super::{Edit, Effect, EffectParameter, Names, Signature, parameter};
+use super::{Edit, Effect, EffectParameter, Names, Signature, at_most, parameter};
 use model_dsl::rig::{Expr, Rig, Symbol};
+
+/// Largest error of a scale, and largest share of another angle: beyond, something else is measured.
+const LARGEST: f64 = 0.5;
 
 pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
     for (output, y) in rig.outputs.iter().enumerate() {
@@ -16,7 +19,7 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
         let name = names.free(&format!("y_0_{}", y.name));
         add("sensor_bias", y.name.clone(), parameter(&name, unit_text, false, "zero of the sensor"), "bias", Signature::Parameters, true);
         let name = names.free(&format!("s_y_{}", y.name));
-        let p = parameter(&name, "1".to_owned(), false, "relative error of the sensor's scale");
+        let p = at_most(LARGEST, parameter(&name, "1".to_owned(), false, "relative error of the sensor's scale"));
         add("sensor_scale", y.name.clone(), p, "scale", Signature::Parameters, false);
         let name = names.free(&format!("d_y_{}", y.name));
         let p = parameter(&name, "s".to_owned(), true, "delay of the sensor");
@@ -31,7 +34,7 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
         }
         for (_, c) in rig.coordinates.iter().enumerate().filter(|(other, _)| *other != own && is_angle(rig, *other)) {
             let name = names.free(&format!("m_{}_{}", y.name, c.name));
-            let p = parameter(&name, "1".to_owned(), false, "share of the other angle");
+            let p = at_most(LARGEST, parameter(&name, "1".to_owned(), false, "share of the other angle"));
             let value = format!("{name} * {}", c.name);
             out.push(Effect {
                 id: "sensor_misalignment".to_owned(),
