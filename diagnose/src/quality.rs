@@ -130,12 +130,30 @@ fn outliers(values: &[f64], quantum: f64, turn: Option<f64>) -> Vec<usize> {
         near.sort_by(f64::total_cmp);
         near[near.len() / 2]
     };
+    // and where it begins to move from rest, the line bends to one side for several samples: a lone sample bends its neighbours the other way
+    let moving = |k: usize, good: &[bool]| {
+        let before: Vec<usize> = (0..k).rev().filter(|&i| good[i]).take(3).collect();
+        let after: Vec<usize> = (k + 1..count).filter(|&i| good[i]).take(3).collect();
+        let alike = |of: f64, bend: f64| bend * of > 0.0 && bend.abs() > 0.25 * of.abs();
+        // at an end the line is prolonged, which says nothing of bends
+        let inner = |side: &[usize], i: usize| (side.len() > i + 1).then(|| off(side[i], good));
+        let follows = |of: f64, side: &[usize], i: usize| inner(side, i).is_some_and(|bend| alike(of, bend));
+        match (before.is_empty(), after.is_empty()) {
+            (false, false) => {
+                let own = off(k, good);
+                let [left, right] = [&before, &after].map(|side| (follows(own, side, 0), follows(own, side, 1)));
+                (left.0 && left.1) || (right.0 && right.1) || (left.0 && right.0)
+            }
+            (true, _) => inner(&after, 0).is_some_and(|first| follows(first, &after, 1)),
+            (_, true) => inner(&before, 0).is_some_and(|first| follows(first, &before, 1)),
+        }
+    };
     let mut found = Vec::new();
     while let Some((k, size)) = all.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)) {
         if size <= OUTLIER * scale || found.len() > count / 5 {
             break;
         }
-        if size <= OUTLIER * about(k) {
+        if size <= OUTLIER * about(k) || moving(k, &good) {
             all[k] = 0.0;
             continue;
         }
@@ -219,5 +237,18 @@ mod tests {
             values[k] += (if k % 2 == 0 { 1.0 } else { -1.0 }) * (8.0 + (k % 50) as f64);
         }
         assert_eq!(outliers(&values, 7.7e-4, None), bad);
+    }
+
+    #[test]
+    fn motion_that_begins_from_rest_is_no_outlier() {
+        // thrown at the first sample and again later, and soon at rest
+        let thrown = |t: f64| if t < 0.0 { 0.0 } else { 0.3 * (1.0 - (-12.0 * t).exp() * (1.0 + 12.0 * t)) };
+        let mut values: Vec<f64> = (0..1200).map(|k| 0.01 * f64::from(k)).map(|t| thrown(t) - thrown(t - 7.0)).collect();
+        assert_eq!(outliers(&values, 1e-5, None), Vec::<usize>::new());
+        // a pair that jumps together, and a lone one while it moves
+        for (k, by) in [(300, 0.2), (301, 0.14), (704, -0.1)] {
+            values[k] += by;
+        }
+        assert_eq!(outliers(&values, 1e-5, None), vec![300, 301, 704]);
     }
 }

@@ -66,16 +66,25 @@ pub(crate) fn estimate(
 ) -> InitialEstimate {
     let t0 = data.times[from];
     let in_window = data.times[from..=to].iter().take_while(|&&t| t - t0 <= INITIAL_WINDOW).count();
-    let window = in_window.max(4).min(to - from + 1);
-    let t = &data.times[from..from + window];
+    let window = in_window.max(FEWEST).min(to - from + 1);
     let mut lines = Vec::new();
     let mut errors = Vec::new();
     let mut slopes = Vec::new();
     for (output, (&i, values)) in data.outputs.iter().zip(&data.measured).enumerate() {
         // samples that are out of use are NaN
         let used: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-        let (t, y): (Vec<f64>, Vec<f64>) = t.iter().zip(&values[from..from + window]).filter(|(_, y)| y.is_finite()).unzip();
-        let (t, y) = if y.is_empty() { (vec![t0], vec![0.0]) } else { (t, y) };
+        let finite = |window: usize| -> (Vec<f64>, Vec<f64>) {
+            data.times[from..from + window].iter().zip(&values[from..from + window]).filter(|(_, y)| y.is_finite()).unzip()
+        };
+        let mut first = finite(window);
+        if first.0.len() < FEWEST {
+            // the beginning is out of use: the first samples that are not
+            let (mut t, mut y) = finite(to - from + 1);
+            t.truncate(FEWEST);
+            y.truncate(FEWEST);
+            first = (t, y);
+        }
+        let (t, y) = if first.1.is_empty() { (vec![t0], vec![0.0]) } else { first };
         let floor = (model.output_path(i, p).quantum / 12_f64.sqrt()).max(1e-6 * spread(&used));
         let fitted = beginning(t0, &t, &y, floor);
         let value = match (start, states.coordinates) {
@@ -114,6 +123,9 @@ pub(crate) fn estimate(
     slopes.retain(|s| states.rates == Known::Prior && of_coordinates(s.output));
     InitialEstimate { x, unknowns, slopes }
 }
+
+/// Fewest samples from which a value and a rate are read.
+const FEWEST: usize = 4;
 
 /// The straight line over the samples; `noise` is their standard deviation.
 fn slope(output: usize, t: &[f64], y: &[f64], noise: f64) -> Slope {
