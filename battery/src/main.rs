@@ -1,5 +1,6 @@
 //! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME] [--numbers 3,7]
-//! [--records FOLDER] [--aloud]`; `--table FILE ..` prints what files hold; `--growth` what a diagnosis costs; `--examples FOLDER` writes the
+//! [--records FOLDER] [--aloud]`; `--table FILE ..` prints what files hold; `--growth` what a diagnosis costs; `--again RESULTS --records FOLDER
+//! --out FILE` diagnoses records once more that were kept; `--examples FOLDER` writes the
 //! records of `examples/hidden`.
 
 use battery::growth;
@@ -13,13 +14,14 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--numbers 3,7] [--records FOLDER] [--aloud]\n       battery --table FILE ..\n       battery --growth\n       battery --examples FOLDER";
+const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--numbers 3,7] [--records FOLDER] [--aloud]\n       battery --table FILE ..\n       battery --growth\n       battery --again RESULTS --records FOLDER --out FILE\n       battery --examples FOLDER";
 
 fn main() -> ExitCode {
     let given: Vec<String> = std::env::args().skip(1).collect();
     let done = match given.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["--growth"] => growth::table().map(|table| say(&table)),
         ["--growth-case", samples, entries] => one_case(samples, entries),
+        ["--again", results, "--records", records, "--out", out] => again(results, records, out),
         _ => work(given),
     };
     match done {
@@ -41,6 +43,17 @@ fn one_case(samples: &str, entries: &str) -> Result<(), String> {
     let number = |text: &str| text.parse::<usize>().map_err(|_| format!("`{text}` is no number\n{USAGE}"));
     let cost = growth::case(number(samples)?, number(entries)?)?;
     say(&serde_json::to_string(&cost).map_err(|e| e.to_string())?);
+    Ok(())
+}
+
+/// Records that were kept, diagnosed again.
+fn again(results: &str, records: &str, out: &str) -> Result<(), String> {
+    let mut file = std::fs::OpenOptions::new().create_new(true).append(true).open(out).map_err(|e| format!("{out}: {e}"))?;
+    for outcome in read(results)? {
+        let new = battery::run::again(&outcome, std::path::Path::new(records))?;
+        let line = serde_json::to_string(&new).map_err(|e| e.to_string())?;
+        writeln!(file, "{line}").map_err(|e| format!("{out}: {e}"))?;
+    }
     Ok(())
 }
 

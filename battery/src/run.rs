@@ -270,9 +270,14 @@ impl Setting {
     }
 }
 
+/// What the files of a run begin with.
+fn stem(row: &str, part: &str, rig: Rig, number: u64) -> String {
+    format!("{row}_{}_{}_{number}", part.replace([' ', ':', '*'], "_"), rig.name())
+}
+
 /// Writes the rig and the records of a run, for `rig diagnose`.
 fn save(folder: &Path, task: &Task, records: &[Record]) -> std::io::Result<()> {
-    let stem = format!("{}_{}_{}_{}", task.row, task.part.replace([' ', ':', '*'], "_"), task.rig.name(), task.number);
+    let stem = stem(task.row, &task.part, task.rig, task.number);
     std::fs::write(folder.join(format!("{stem}.rig")), task.rig.text())?;
     for record in records {
         let mut text = std::iter::once("t").chain(record.columns.iter().map(|c| c.name.as_str())).collect::<Vec<_>>().join(",");
@@ -283,6 +288,32 @@ fn save(folder: &Path, task: &Task, records: &[Record]) -> std::io::Result<()> {
         std::fs::write(folder.join(format!("{stem}_{}.csv", record.source)), text + "\n")?;
     }
     Ok(())
+}
+
+/// Diagnoses the records of a run again that were kept, with the program as it is now.
+///
+/// # Errors
+/// Where they cannot be read.
+pub fn again(outcome: &Outcome, folder: &Path) -> Result<Outcome, String> {
+    let rig = Rig::ALL.into_iter().find(|r| r.name() == outcome.rig).ok_or_else(|| format!("there is no rig `{}`", outcome.rig))?;
+    let base = base(rig)?;
+    let specs = ParameterSpec::of_rig(&base.rig);
+    let setting = Setting { aloud: false, base, specs, bench: rig.bench(0), seed: 0 };
+    let stem = stem(&outcome.row, &outcome.part, rig, outcome.number);
+    let names = ["steps", "sines", "chirp"];
+    let records: Vec<Record> = names
+        .iter()
+        .map(|name| ident::record::read(&folder.join(format!("{stem}_{name}.csv"))).map_err(|e| e.to_string()))
+        .collect::<Result<_, _>>()?;
+    let only: Vec<String> = families(rig, outcome.number).into_iter().map(str::to_owned).collect();
+    let began = std::time::Instant::now();
+    let found = setting.diagnose((&records[..2], &records[2..]), &only, Step::Patch, Method::default());
+    let mut new = Outcome { seconds: began.elapsed().as_secs_f64(), said: Vec::new(), failed: false, test_ratio: None, ..outcome.clone() };
+    match found {
+        Ok(found) => fill(&mut new, &found),
+        Err(why) => (new.verdict, new.failed, new.because) = ("failed".to_owned(), true, why),
+    }
+    Ok(new)
 }
 
 /// Makes a run, its files to `keep`; `aloud` says what a diagnosis does. `None` where there is nothing that could be hidden.
