@@ -82,8 +82,6 @@ const LOST: f64 = 8.0;
 /// How far parameters may then go from there, as a prior.
 const NEAR: f64 = 0.1;
 
-/// Random forces that are tried, over those that are guessed: the next ones where no start could be followed with those before.
-const LOUDER: [f64; 3] = [1.0, 10.0, 100.0];
 /// Samples at the beginning of each record by which a start is chosen.
 const CHOOSES: usize = 3000;
 
@@ -113,15 +111,9 @@ pub fn fit_base(
     }
     let mut best: Option<Estimated> = None;
     let mut failed = None;
-    // a rig that its values cannot follow is followed by larger random forces
-    let tries = LOUDER.iter().flat_map(|louder| starts.iter().map(move |start| (louder, start)));
-    for (k, (louder, start)) in tries.enumerate() {
-        if best.is_some() && k % starts.len() == 0 {
-            break;
-        }
+    for start in &starts {
         let mut own: Vec<Track> = tracks.iter().map(|t| t.part(0, t.times().len().min(CHOOSES), &plain.model, &p0)).collect();
-        let mut noise = plain.noise(&Noise::guess(&plain.model, &p0, &own, plain.entries.clone()));
-        noise.sd.iter_mut().for_each(|sd| *sd *= louder);
+        let noise = plain.noise(&Noise::guess(&plain.model, &p0, &own, plain.entries.clone()));
         let rounds = EstimateOptions { rounds: 2, finest: 0.4, ..EstimateOptions::default() };
         match estimate(&plain.model, &plain.specs, &mut own, start, noise, rounds) {
             Ok(found) => {
