@@ -104,7 +104,8 @@ pub fn fit_base(
     if plain.specs.iter().any(|s| s.free) {
         // to its end: from a start half way the innovations go astray on records of axes that drift
         let limits = Limits { evaluations: 40, ..Limits::default() };
-        let fit = FitOptions { limits, hold, loss: Loss::Huber(1.345), ..FitOptions::default() };
+        // a start needs no more digits than the encoders have
+        let fit = FitOptions { limits, hold, loss: Loss::Huber(1.345), tolerance: 0.05, ..FitOptions::default() };
         if let Ok(found) = identify(&plain.model, &plain.specs, starting, &[], &fit) {
             starts.push(found.p_of_record);
         }

@@ -76,7 +76,7 @@ pub fn identify(
     let data = records.iter().map(|r| Data::new(r, model, options.hold)).collect::<Result<Vec<_>, _>>()?;
     let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
     let mut starts = starts(model, specs, &data, nominal, options)?;
-    let mut evaluations = 0;
+    let (mut evaluations, mut search_seconds) = (0, 0.0);
     let mut patterns = build::first_patterns(model, &starts, &data, options)?;
     let mut solved;
     let mut problem;
@@ -84,7 +84,9 @@ pub fn identify(
     loop {
         problem = assemble(model, specs, &data, &patterns, options)?;
         let again = || short_runs(model, specs, &data, &starts, options);
+        let searching = Instant::now();
         (solved, started_from) = search(&mut problem, &starts, &again, options)?;
+        search_seconds += searching.elapsed().as_secs_f64();
         evaluations += problem.evaluations;
         // the steps were chosen for the start; they must do for the result too
         let finer = build::refine(model, &problem, &solved.x, &data, &patterns, options)?;
@@ -102,6 +104,7 @@ pub fn identify(
     fit.started_from = started_from;
     fit.patterns = patterns;
     fit.evaluations = evaluations;
+    fit.search_seconds = search_seconds;
     fit.seconds = began.elapsed().as_secs_f64();
     Ok(fit)
 }
@@ -159,16 +162,12 @@ fn search(
     let mut at: Vec<(f64, usize, Vec<f64>)> = Vec::new();
     for (k, (_, p)) in starts.iter().enumerate() {
         let theta = build::start(problem, p);
-        if let Some(found) = problem.evaluate(&theta) {
-            at.push((found.cost, k, theta));
-        }
+        // a single start needs no rank
+        let cost = if starts.len() == 1 { Some(0.0) } else { problem.evaluate(&theta).map(|found| found.cost) };
+        at.extend(cost.map(|cost| (cost, k, theta)));
     }
     at.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let Some((_, best, _)) = at.first() else {
-        let (record, status) = problem.failed();
-        let file = problem.pieces.iter().find(|p| p.record == record).map_or_else(String::new, |p| p.data.source.clone());
-        return Err(FitError::NoStart { file, status });
-    };
+    let Some((_, best, _)) = at.first() else { return Err(no_start(problem)) };
     let nominal = |k: usize| starts[k].0 == NOMINAL;
     let other = at.iter().find(|(_, k, _)| nominal(*k) != nominal(*best));
     let samples: usize = problem.pieces.iter().map(|p| (p.range.1 - p.range.0) * p.data.outputs.len()).sum();
@@ -200,6 +199,9 @@ fn search(
         }
     }
     let Some(mut found) = found else { return Err(FitError::NoRecord) };
+    if found.ending == Ending::NoStart {
+        return Err(no_start(problem));
+    }
     if problem.pieces.iter().any(|p| p.joined) {
         found = tightened(problem, found, &coarse, options);
     }
@@ -216,6 +218,13 @@ fn search(
         found = LevenbergMarquardt.minimize(problem, &found.x, &options.limits);
     }
     Ok((found, from))
+}
+
+/// The model cannot be run from any start.
+fn no_start(problem: &OutputError<'_>) -> FitError {
+    let (record, status) = problem.failed();
+    let file = problem.pieces.iter().find(|p| p.record == record).map_or_else(String::new, |p| p.data.source.clone());
+    FitError::NoStart { file, status }
 }
 
 /// Standard deviations of jumps between pieces, in parts of the signals' spread, one after the other.

@@ -186,7 +186,10 @@ pub fn sensitivities_by_parts<M: Model + ?Sized>(
     }
     let all = &mut all[..d.states() * d.parameters];
     model.parameter_jacobian(t, x, u, p, all)?;
-    for (to, from) in dfdp.chunks_exact_mut(columns.len()).zip(all.chunks_exact(d.parameters)) {
+    // q' = v has no parameters
+    let (by_positions, rest) = dfdp.split_at_mut(d.coordinates * columns.len());
+    by_positions.fill(0.0);
+    for (to, from) in rest.chunks_exact_mut(columns.len()).zip(all.chunks_exact(d.parameters).skip(d.coordinates)) {
         for (to, &j) in to.iter_mut().zip(columns) {
             *to = from[j];
         }

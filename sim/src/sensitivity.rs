@@ -58,7 +58,12 @@ struct Workspace {
     z: Vec<f64>,
     end: Vec<f64>,
     stage: Vec<f64>,
+    /// State at the time of a reading.
     inside: Vec<f64>,
+    /// A row of S at the time of a reading.
+    row: Vec<f64>,
+    /// Factors and rows of S whose sum is a row of A S.
+    terms: Vec<(f64, usize)>,
     k: Vec<Vec<f64>>,
     /// Coefficients of the polynomial inside a step.
     poly: [Vec<f64>; 4],
@@ -122,7 +127,9 @@ impl<'a> Forward<'a> {
             z: zeros(size),
             end: zeros(size),
             stage: zeros(size),
-            inside: zeros(size),
+            inside: zeros(n),
+            row: zeros(columns),
+            terms: Vec::with_capacity(n),
             k: (0..stages).map(|_| zeros(size)).collect(),
             poly: std::array::from_fn(|_| zeros(size)),
             u: zeros(d.signals()),
@@ -277,8 +284,8 @@ impl<'a> Forward<'a> {
         if let Some(first) = segments.first() {
             self.work.u.copy_from_slice(&first.values);
         }
-        self.work.inside.clone_from(&self.work.z);
-        next = self.read(p, start, reads, next, sink)?;
+        self.work.inside.copy_from_slice(&self.work.z[..self.model.dimensions().states()]);
+        next = self.read(p, start, None, reads, next, sink)?;
         for (index, segment) in segments.iter().enumerate() {
             let length = segment.to - segment.from;
             if length <= 0.0 {
@@ -308,17 +315,19 @@ impl<'a> Forward<'a> {
                 if inside {
                     self.polynomial(h, tableau);
                     while let Some(read) = reads.get(next).filter(|r| r.t < to) {
-                        self.interpolate((read.t - t) / h);
+                        let part = (read.t - t) / h;
+                        self.interpolate(part);
                         segment.at(read.t, &mut self.work.u);
-                        next = self.read(p, read.t, reads, next, sink)?;
+                        next = self.read(p, read.t, Some(part), reads, next, sink)?;
                     }
                 }
                 std::mem::swap(&mut self.work.z, &mut self.work.end);
                 self.work.k.swap(0, tableau.b.len());
                 if reads.get(next).is_some_and(|r| r.t <= to) {
-                    self.work.inside.copy_from_slice(&self.work.z);
+                    let n = self.work.inside.len();
+                    self.work.inside.copy_from_slice(&self.work.z[..n]);
                     segment.at(to, &mut self.work.u);
-                    next = self.read(p, to, reads, next, sink)?;
+                    next = self.read(p, to, None, reads, next, sink)?;
                 }
             }
         }
@@ -368,11 +377,9 @@ impl<'a> Forward<'a> {
             let (by_parameters, others) = row.split_at_mut(count);
             by_parameters.copy_from_slice(&w.dfdp[i * count..(i + 1) * count]);
             others.fill(0.0);
-            for (&a, column) in w.a[i * n..(i + 1) * n].iter().zip(s.chunks_exact(m)) {
-                if a != 0.0 {
-                    row.iter_mut().zip(column).for_each(|(r, s)| *r += a * s);
-                }
-            }
+            w.terms.clear();
+            w.terms.extend(w.a[i * n..(i + 1) * n].iter().enumerate().filter(|(_, a)| **a != 0.0).map(|(j, &a)| (a, j * m)));
+            accumulate(row, &w.terms, s);
         }
         if moving && segment.slopes.iter().any(|&s| s != 0.0) {
             // a signal that is straight and comes later by d is lower by slope d
@@ -422,10 +429,11 @@ impl<'a> Forward<'a> {
         let w = &mut self.work;
         let last = tableau.b.len();
         let [r2, r3, r4, r5] = &mut w.poly;
-        for i in 0..w.z.len() {
-            r2[i] = w.end[i] - w.z[i];
-            r3[i] = h * w.k[0][i] - r2[i];
-            r4[i] = r2[i] - h * w.k[last][i] - r3[i];
+        let ends = w.z.iter().zip(&w.end).zip(w.k[0].iter().zip(&w.k[last]));
+        for (((r2, r3), r4), ((z, end), (first, last))) in r2.iter_mut().zip(r3).zip(r4).zip(ends) {
+            *r2 = end - z;
+            *r3 = h * first - *r2;
+            *r4 = *r2 - h * last - *r3;
         }
         r5.fill(0.0);
         for (d, k) in tableau.d.iter().zip(&w.k).filter(|(d, _)| **d != 0.0) {
@@ -433,22 +441,19 @@ impl<'a> Forward<'a> {
         }
     }
 
-    /// State and sensitivities at `s` steps after z, written to `inside`.
-    fn interpolate(&mut self, s: f64) {
+    /// State at `part` of the step after z, written to `inside`.
+    fn interpolate(&mut self, part: f64) {
         let w = &mut self.work;
-        let [r2, r3, r4, r5] = &w.poly;
-        let rest = 1.0 - s;
-        for (i, inside) in w.inside.iter_mut().enumerate() {
-            *inside = w.z[i] + s * (r2[i] + rest * (r3[i] + s * (r4[i] + rest * r5[i])));
-        }
+        inside(&mut w.inside, &w.z, &w.poly, 0, part);
     }
 
-    /// Gives all reads from `next` on that are due at time t, where `inside` is the state. Returns the first that is not.
-    fn read(&mut self, p: &[f64], t: f64, reads: &[Read], mut next: usize, sink: &mut Sink<'_>) -> Result<usize, Stop> {
+    /// Gives all reads from `next` on that are due at time t, where `inside` is the state: at `part` of the step after z, or at z itself.
+    /// Returns the first that is not.
+    fn read(&mut self, p: &[f64], t: f64, part: Option<f64>, reads: &[Read], mut next: usize, sink: &mut Sink<'_>) -> Result<usize, Stop> {
         let d = self.model.dimensions();
         let (n, m, count) = (d.states(), self.columns, self.parameters.len());
         let w = &mut self.work;
-        let (x, s) = w.inside.split_at(n);
+        let x = &w.inside;
         if reads.get(next).is_none_or(|r| r.t > t) {
             return Ok(next);
         }
@@ -464,10 +469,17 @@ impl<'a> Forward<'a> {
                     *dy = w.dhdp[i * d.parameters + j];
                 }
                 others.fill(0.0);
-                for (&c, row) in w.c[i * n..(i + 1) * n].iter().zip(s.chunks_exact(m)) {
-                    if c != 0.0 {
-                        w.dy.iter_mut().zip(row).for_each(|(dy, s)| *dy += c * s);
-                    }
+                // only the rows of S that the output sees are interpolated
+                for (k, &c) in w.c[i * n..(i + 1) * n].iter().enumerate().filter(|(_, c)| **c != 0.0) {
+                    let from = n + k * m;
+                    let row = match part {
+                        Some(part) => {
+                            inside(&mut w.row, &w.z, &w.poly, from, part);
+                            &w.row
+                        }
+                        None => &w.z[from..from + m],
+                    };
+                    w.dy.iter_mut().zip(row).for_each(|(dy, s)| *dy += c * s);
                 }
                 let slopes = &w.output_delay_slopes[read.output * count..(read.output + 1) * count];
                 // read before the start: the initial state, whatever the delay
@@ -492,6 +504,37 @@ enum Source {
     Start,
     Stage,
     End,
+}
+
+/// out = the polynomial's entries from `from` on, at `part` of the step after z.
+fn inside(out: &mut [f64], z: &[f64], poly: &[Vec<f64>; 4], from: usize, part: f64) {
+    let (to, rest) = (from + out.len(), 1.0 - part);
+    let [r2, r3, r4, r5] = poly.each_ref().map(|r| &r[from..to]);
+    let low = z[from..to].iter().zip(r2).zip(r3);
+    let high = r4.iter().zip(r5);
+    for (out, (((z, r2), r3), (r4, r5))) in out.iter_mut().zip(low.zip(high)) {
+        *out = z + part * (r2 + rest * (r3 + part * (r4 + rest * r5)));
+    }
+}
+
+/// row += the sum of the rows of S that begin at these places, times their factors; four columns at a time, which stay in registers.
+fn accumulate(row: &mut [f64], terms: &[(f64, usize)], s: &[f64]) {
+    const WIDE: usize = 4;
+    let mut blocks = row.chunks_exact_mut(WIDE);
+    let mut at = 0;
+    for block in &mut blocks {
+        let mut sum: [f64; WIDE] = std::array::from_fn(|k| block[k]);
+        for &(a, from) in terms {
+            if let Some(column) = s.get(from + at..from + at + WIDE) {
+                sum.iter_mut().zip(column).for_each(|(sum, s)| *sum += a * s);
+            }
+        }
+        block.copy_from_slice(&sum);
+        at += WIDE;
+    }
+    for (k, r) in blocks.into_remainder().iter_mut().enumerate() {
+        *r = terms.iter().fold(*r, |sum, &(a, from)| sum + a * s[from + at + k]);
+    }
 }
 
 /// out = z + h (weights of k).

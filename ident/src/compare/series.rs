@@ -1,6 +1,6 @@
 //! Sampled signals as numbers: unwrapping, straight lines, fit and rms error.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Matrix4, Vector4};
 use std::f64::consts::{PI, TAU};
 
 /// Value and rate of a signal at one time.
@@ -18,21 +18,24 @@ pub(super) fn polynomial(t: &[f64], y: &[f64], at: f64, degree: usize) -> Line {
     }
     let degree = degree.min(3).min(t.len().saturating_sub(1));
     // times from -1 to 1: the normal equations are well conditioned
-    let (mut normal, mut right) = (DMatrix::<f64>::zeros(degree + 1, degree + 1), DVector::<f64>::zeros(degree + 1));
+    let (mut sums, mut right) = ([0.0; 7], Vector4::<f64>::zeros());
     for (t, y) in t.iter().zip(y) {
         let s = (t - at) / reach;
-        let powers = [1.0, s, s * s, s * s * s];
-        for i in 0..=degree {
-            right[i] += powers[i] * y;
-            for j in 0..=degree {
-                normal[(i, j)] += powers[i] * powers[j];
+        let mut power = 1.0;
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum += power;
+            if i <= degree {
+                right[i] += power * y;
             }
+            power *= s;
         }
     }
+    // powers that are not wanted have a row of their own
+    let normal = Matrix4::from_fn(|i, j| if i.max(j) <= degree { sums[i + j] } else { f64::from(u8::from(i == j)) });
     match normal.cholesky() {
         Some(factor) => {
             let c = factor.solve(&right);
-            Line { value: c[0], rate: c.get(1).copied().unwrap_or(0.0) / reach }
+            Line { value: c[0], rate: c[1] / reach }
         }
         None => Line { value: y.iter().sum::<f64>() / y.len() as f64, rate: 0.0 },
     }

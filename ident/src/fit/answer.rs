@@ -118,4 +118,6 @@ pub struct Fit {
     pub evaluations: usize,
     /// Time [s].
     pub seconds: f64,
+    /// Of which the search for the minimum [s].
+    pub search_seconds: f64,
 }

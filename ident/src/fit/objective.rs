@@ -8,6 +8,7 @@ use super::initial::Slope;
 use super::minimize::{Evaluation, Objective};
 use super::options::Loss;
 use crate::compare::initial::settle_lags;
+use crate::parallel::in_parallel_mut;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 use sim::{Forward, Status};
@@ -52,6 +53,62 @@ pub(crate) struct Piece<'a> {
     pub weights: Vec<f64>,
     /// Priors of the rates at its beginning.
     pub slopes: Vec<Slope>,
+}
+
+/// Where a run of a piece begins: parameters, initial state, and its derivatives by the columns.
+struct Beginning {
+    p: Vec<f64>,
+    x: Vec<f64>,
+    s: Vec<f64>,
+}
+
+impl Piece<'_> {
+    /// Runs it; `row(sample in the piece, measured output, error, derivatives)` in SI.
+    ///
+    /// # Errors
+    /// How the run ended where it did not come to its end; `None` where it could not begin: a delay that turned negative, a parameter that
+    /// is no number.
+    fn run(&mut self, model: &dyn Model, from: &Beginning, row: &mut sim::Sink<'_>) -> Result<(), Option<Status>> {
+        let Piece { data, range: (first, to), forward, continued, .. } = self;
+        // a further piece knows nothing of what was before it
+        let delays: Vec<f64> = data.outputs.iter().map(|&i| if *first > 0 { model.output_path(i, &from.p).delay } else { 0.0 }).collect();
+        let (start, last) = (data.times[*first], *to - *first);
+        let status = forward.run(&from.p, &from.x, &from.s, &mut |k, i, y, dy| {
+            if *continued && k == last || data.times[*first + k] - delays[i] < start {
+                return;
+            }
+            row(k, i, y - data.measured[i][*first + k], dy);
+        });
+        match status {
+            Ok(Status::Completed) => Ok(()),
+            Ok(status) => Err(Some(status)),
+            Err(_) => Err(None),
+        }
+    }
+
+    /// Its part of the objective.
+    ///
+    /// # Errors
+    /// As [`Piece::run`].
+    fn sums(&mut self, model: &dyn Model, from: &Beginning, loss: Loss) -> Result<Sums, Option<Status>> {
+        let m = self.columns.len();
+        let (weights, slopes) = (self.weights.clone(), self.slopes.clone());
+        let mut sums = Sums::new(m);
+        let mut lines: Vec<Line> = slopes.iter().map(|_| Line { error: 0.0, by: vec![0.0; m] }).collect();
+        self.run(model, from, &mut |k, i, error, dy| {
+            sums.add(loss, error * weights[i], weights[i], dy);
+            for (slope, line) in slopes.iter().zip(&mut lines) {
+                if slope.output == i && k < slope.weights.len() {
+                    line.add(slope.weights[k], error, dy);
+                }
+            }
+        })?;
+        for (slope, line) in slopes.iter().zip(&lines) {
+            sums.add(Loss::Squares, line.error / slope.sd, 1.0 / slope.sd, &line.by);
+        }
+        sums.multiply();
+        Ok(sums)
+    }
 }
 
 /// The objective.
@@ -160,30 +217,29 @@ impl OutputError<'_> {
         Some(())
     }
 
-    /// Runs piece `index`; `row(sample in the piece, measured output, error, derivatives)` in SI. `None` where the run does
-    /// not come to its end.
-    fn run(&mut self, theta: &[f64], index: usize, row: &mut sim::Sink<'_>) -> Option<()> {
+    fn beginning(&self, theta: &[f64], index: usize) -> Option<Beginning> {
         let p = self.parameters(theta, self.pieces[index].record);
         let (x, s) = self.initial(theta, &p, index)?;
-        let model = self.model;
-        let Piece { data, range: (from, to), forward, continued, .. } = &mut self.pieces[index];
-        // a further piece knows nothing of what was before it
-        let delays: Vec<f64> = data.outputs.iter().map(|&i| if *from > 0 { model.output_path(i, &p).delay } else { 0.0 }).collect();
-        let (first, last) = (data.times[*from], *to - *from);
-        let status = forward.run(&p, &x, &s, &mut |k, i, y, dy| {
-            if *continued && k == last || data.times[*from + k] - delays[i] < first {
-                return;
-            }
-            row(k, i, y - data.measured[i][*from + k], dy);
-        });
-        match status {
-            Ok(Status::Completed) => Some(()),
-            Ok(status) => {
-                self.failure = Some((self.pieces[index].record, status));
+        Some(Beginning { p, x, s })
+    }
+
+    /// Runs piece `index`, see [`Piece::run`]. `None` where the run does not come to its end.
+    fn run(&mut self, theta: &[f64], index: usize, row: &mut sim::Sink<'_>) -> Option<()> {
+        let from = self.beginning(theta, index)?;
+        let ended = self.pieces[index].run(self.model, &from, row);
+        self.ended(index, ended)
+    }
+
+    /// What a run gave; how it failed is kept.
+    fn ended<T>(&mut self, index: usize, ended: Result<T, Option<Status>>) -> Option<T> {
+        match ended {
+            Ok(found) => Some(found),
+            Err(status) => {
+                if let Some(status) = status {
+                    self.failure = Some((self.pieces[index].record, status));
+                }
                 None
             }
-            // a delay that turned negative, a parameter that is no number: no place to be
-            Err(_) => None,
         }
     }
 
@@ -233,7 +289,7 @@ impl OutputError<'_> {
         Some(all)
     }
 
-    /// Adds the jump of the state from piece `index` to the next, which has just not been run.
+    /// Adds the jump of the state from piece `index` to the next.
     fn continuity(&self, theta: &[f64], index: usize, total: &mut Evaluation) -> Option<()> {
         let next = index + 1;
         let (before, after) = (&self.pieces[index], &self.pieces[next]);
@@ -292,25 +348,11 @@ impl Objective for OutputError<'_> {
         self.evaluations += 1;
         let n = theta.len();
         let mut total = Evaluation { cost: 0.0, gradient: DVector::zeros(n), normal: DMatrix::zeros(n, n) };
-        let loss = self.loss;
-        for index in 0..self.pieces.len() {
-            let m = self.pieces[index].columns.len();
-            let weights = self.pieces[index].weights.clone();
-            let mut sums = Sums { cost: 0.0, gradient: vec![0.0; m], normal: vec![0.0; m * m] };
-            let slopes = self.pieces[index].slopes.clone();
-            let mut lines: Vec<Line> = slopes.iter().map(|_| Line { error: 0.0, by: vec![0.0; m] }).collect();
-            self.run(theta, index, &mut |k, i, error, dy| {
-                sums.add(loss, error * weights[i], weights[i], dy);
-                for (slope, line) in slopes.iter().zip(&mut lines) {
-                    if slope.output == i && k < slope.weights.len() {
-                        line.add(slope.weights[k], error, dy);
-                    }
-                }
-            })?;
-            for (slope, line) in slopes.iter().zip(&lines) {
-                sums.add(Loss::Squares, line.error / slope.sd, 1.0 / slope.sd, &line.by);
-            }
-            sums.spread(&self.pieces[index].columns, &mut total);
+        let begun: Vec<Beginning> = (0..self.pieces.len()).map(|index| self.beginning(theta, index)).collect::<Option<_>>()?;
+        let (model, loss) = (self.model, self.loss);
+        let each = in_parallel_mut(&mut self.pieces, |index, piece| piece.sums(model, &begun[index], loss));
+        for (index, sums) in each.into_iter().enumerate() {
+            self.ended(index, sums)?.spread(&self.pieces[index].columns, &mut total);
             if self.pieces[index].joined {
                 self.continuity(theta, index, &mut total)?;
             }
@@ -333,37 +375,53 @@ impl Line {
     }
 }
 
-/// Cost, gradient and upper triangle of J^T J over the columns of one piece.
+/// Cost, gradient and J^T J over the columns of one piece.
 struct Sums {
     cost: f64,
-    gradient: Vec<f64>,
-    normal: Vec<f64>,
+    /// Lines [derivatives | error], each weighted, one a column of the matrix; the first `filled` are waiting.
+    lines: DMatrix<f64>,
+    filled: usize,
+    /// Sum of the products of the lines' entries.
+    products: DMatrix<f64>,
 }
 
 impl Sums {
+    /// Lines that are multiplied at a time: few enough to stay in the first cache.
+    const LINES: usize = 128;
+
+    fn new(columns: usize) -> Self {
+        let lines = DMatrix::zeros(columns + 1, Self::LINES);
+        Self { cost: 0.0, lines, filled: 0, products: DMatrix::zeros(columns + 1, columns + 1) }
+    }
+
     fn add(&mut self, loss: Loss, error: f64, weight: f64, dy: &[f64]) {
         let (rho, slope) = loss.of(error);
         self.cost += 0.5 * rho;
-        let first = slope * error * weight;
-        let second = slope * weight * weight;
-        let m = dy.len();
-        for (a, &d) in dy.iter().enumerate() {
-            self.gradient[a] += first * d;
-            let scaled = second * d;
-            if scaled != 0.0 {
-                self.normal[a * m + a..(a + 1) * m].iter_mut().zip(&dy[a..]).for_each(|(n, d)| *n += scaled * d);
-            }
+        let root = slope.sqrt();
+        let mut line = self.lines.column_mut(self.filled);
+        let (last, by) = line.as_mut_slice().split_last_mut().expect("a line has at least its error");
+        by.iter_mut().zip(dy).for_each(|(to, d)| *to = root * weight * d);
+        *last = root * error;
+        self.filled += 1;
+        if self.filled == Self::LINES {
+            self.multiply();
         }
+    }
+
+    /// Adds the products of the lines that are waiting.
+    fn multiply(&mut self) {
+        let lines = self.lines.columns(0, self.filled);
+        self.products.gemm(1.0, &lines, &lines.transpose(), 1.0);
+        self.filled = 0;
     }
 
     fn spread(&self, columns: &[usize], total: &mut Evaluation) {
         let m = columns.len();
         total.cost += self.cost;
         for (a, &i) in columns.iter().enumerate() {
-            total.gradient[i] += self.gradient[a];
+            total.gradient[i] += self.products[(a, m)];
             for (b, &j) in columns.iter().enumerate() {
-                let (low, high) = (a.min(b), a.max(b));
-                total.normal[(i, j)] += self.normal[low * m + high];
+                total.normal[(i, j)] += self.products[(a, b)];
             }
         }
     }

@@ -38,31 +38,57 @@ pub(crate) struct Run {
     pub x0: Vec<f64>,
 }
 
+/// Steps that are tried, from 32 sample periods down by halves.
+const HALVINGS: i32 = 14;
+/// Of these, the ones that are tried on whole runs: where steps as fine as a sixteenth of a sample still disagree at the end, it is the
+/// motion that is sensitive, not the steps that are coarse.
+const OVER_ALL: i32 = 9;
+/// Samples of the windows on which steps are tried then, each from where the finer of two steps has come.
+const WINDOW: usize = 25;
+
 /// The pattern with the fewest evaluations of the model whose outputs agree with those of half its step to within
-/// `allowed`. Where the run does not come to its end the agreement is judged up to there.
+/// `allowed`: over whole runs, or, where the motion is so sensitive that none does, over short windows of them. Where the run does not come
+/// to its end the agreement is judged up to there.
 pub(crate) fn choose(model: &dyn Model, p: &[f64], runs: &[Run], data: &Data, allowed: &[f64]) -> Result<Pattern, FitError> {
     let period = data.times[data.times.len() - 1] - data.times[0];
     let period = period / (data.times.len() - 1) as f64;
-    let mut best: Option<(usize, Pattern)> = None;
-    for method in [FixedMethod::DormandPrince, FixedMethod::Classical] {
-        let mut step = 32.0 * period;
-        let mut coarse = outputs(model, p, runs, data, Pattern { method, step })?;
-        for _ in 0..14 {
-            let work = coarse.steps * stages(method);
-            if best.is_some_and(|(least, _)| work >= least) {
-                break;
+    // longer steps than from switch to switch are none
+    let (coarsest, least) = (32.0 * period, longest(model, p, runs, data, 32.0 * period)?);
+    let first = (0..HALVINGS).find(|k| coarsest * 0.5_f64.powi(*k) <= 2.0 * least).unwrap_or(0);
+    for (window, halvings) in [(usize::MAX, OVER_ALL), (WINDOW, HALVINGS)] {
+        let mut best: Option<(usize, Pattern)> = None;
+        let trial = Trial { model, p, runs, data, window };
+        for method in [FixedMethod::DormandPrince, FixedMethod::Classical] {
+            for halving in first..halvings {
+                let pattern = Pattern { method, step: coarsest * 0.5_f64.powi(halving) };
+                let Some((steps, agree)) = trial.of(pattern, allowed)? else { continue };
+                let work = steps * stages(method);
+                if best.is_some_and(|(least, _)| work >= least) {
+                    break;
+                }
+                if agree {
+                    best = Some((work, pattern));
+                    break;
+                }
             }
-            let fine = outputs(model, p, runs, data, Pattern { method, step: 0.5 * step })?;
-            if agree(&coarse, &fine, allowed) {
-                best = Some((work, Pattern { method, step }));
-                break;
-            }
-            step *= 0.5;
-            coarse = fine;
+        }
+        if let Some((_, pattern)) = best {
+            return Ok(pattern);
         }
     }
-    // nothing agrees: the model is not smooth at any of these steps; the finest is as good as any
-    Ok(best.map_or(Pattern { method: FixedMethod::Classical, step: period / 64.0 }, |(_, pattern)| pattern))
+    // nothing agrees: the model is not smooth at any of these steps
+    Ok(Pattern { method: FixedMethod::Classical, step: period / 16.0 })
+}
+
+/// Mean length of the steps that are taken where none should be longer than `step` [s].
+fn longest(model: &dyn Model, p: &[f64], runs: &[Run], data: &Data, step: f64) -> Result<f64, FitError> {
+    let Some(run) = runs.first() else { return Ok(step) };
+    let trial = Trial { model, p, runs, data, window: usize::MAX };
+    let taken = trial.outputs(run.from, run.to, &run.x0, Pattern { method: FixedMethod::Classical, step })?;
+    Ok(match taken.status.time().unwrap_or(data.times[run.to]) - data.times[run.from] {
+        span if span > 0.0 && taken.steps > 0 => span / taken.steps as f64,
+        _ => step,
+    })
 }
 
 /// The outputs of a pattern agree with those of half its step.
@@ -74,30 +100,68 @@ pub(crate) fn suffices(
     allowed: &[f64],
     pattern: Pattern,
 ) -> Result<bool, FitError> {
-    let coarse = outputs(model, p, runs, data, pattern)?;
-    let fine = outputs(model, p, runs, data, Pattern { step: 0.5 * pattern.step, ..pattern })?;
-    Ok(agree(&coarse, &fine, allowed))
+    let trial = Trial { model, p, runs, data, window: usize::MAX };
+    let mut tried = pattern;
+    for _ in 0..HALVINGS {
+        match trial.of(tried, allowed)? {
+            // switches are nearer to each other than steps are long
+            None => tried.step *= 0.5,
+            Some((_, agree)) => return Ok(agree),
+        }
+    }
+    Ok(false)
+}
+
+/// Where steps are tried.
+struct Trial<'a> {
+    model: &'a dyn Model,
+    p: &'a [f64],
+    runs: &'a [Run],
+    data: &'a Data,
+    /// Samples after which the coarser run begins again from the state of the finer one.
+    window: usize,
 }
 
 struct Outputs {
     values: Vec<Vec<f64>>,
     status: Status,
     steps: usize,
+    end: Vec<f64>,
 }
 
-fn outputs(model: &dyn Model, p: &[f64], runs: &[Run], data: &Data, pattern: Pattern) -> Result<Outputs, FitError> {
-    let mut values: Vec<Vec<f64>> = data.outputs.iter().map(|_| Vec::new()).collect();
-    let (mut status, mut steps) = (Status::Completed, 0);
-    for run in runs {
-        let mut forward = Forward::new(model, &data.signals, &data.times[run.from..=run.to], &data.outputs, &[], 0, pattern)?;
-        let ended = forward.run(p, &run.x0, &[], &mut |_, i, y, _| values[i].push(y))?;
-        steps += forward.steps();
-        if ended != Status::Completed {
-            status = ended;
-            break;
+impl Trial<'_> {
+    /// Steps that the pattern takes, and whether its outputs agree with those of half its step. `None` where both take the same steps,
+    /// from switch to switch of the inputs.
+    fn of(&self, pattern: Pattern, allowed: &[f64]) -> Result<Option<(usize, bool)>, FitError> {
+        let half = Pattern { step: 0.5 * pattern.step, ..pattern };
+        let (mut steps, mut finer) = (0, 0);
+        let mut agrees = true;
+        for run in self.runs {
+            let (mut from, mut x) = (run.from, run.x0.clone());
+            while from < run.to {
+                let to = from.saturating_add(self.window).min(run.to);
+                let (coarse, fine) = (self.outputs(from, to, &x, pattern)?, self.outputs(from, to, &x, half)?);
+                (steps, finer) = (steps + coarse.steps, finer + fine.steps);
+                if coarse.steps < fine.steps && !agree(&coarse, &fine, allowed) {
+                    agrees = false;
+                }
+                // a window is enough to refuse, and nothing comes after the end of a run
+                if fine.status != Status::Completed || !agrees && self.window < usize::MAX {
+                    break;
+                }
+                (from, x) = (to, fine.end);
+            }
         }
+        Ok((finer > steps).then_some((steps, agrees)))
     }
-    Ok(Outputs { values, status, steps })
+
+    fn outputs(&self, from: usize, to: usize, x0: &[f64], pattern: Pattern) -> Result<Outputs, FitError> {
+        let data = self.data;
+        let mut values: Vec<Vec<f64>> = data.outputs.iter().map(|_| Vec::new()).collect();
+        let mut forward = Forward::new(self.model, &data.signals, &data.times[from..=to], &data.outputs, &[], 0, pattern)?;
+        let status = forward.run(self.p, x0, &[], &mut |_, i, y, _| values[i].push(y))?;
+        Ok(Outputs { values, status, steps: forward.steps(), end: forward.state().to_vec() })
+    }
 }
 
 fn agree(a: &Outputs, b: &Outputs, allowed: &[f64]) -> bool {

@@ -98,6 +98,7 @@ pub(crate) fn answer(
         patterns: Vec::new(),
         evaluations: 0,
         seconds: 0.0,
+        search_seconds: 0.0,
     })
 }
 

@@ -1,9 +1,12 @@
 //! Parameters from innovations: noise and parameters in turn, gains held within each search.
 
 use super::filter::{Column, Filtering, Gains, Pass, Track, run};
-use super::noise::{Noise, in_parallel, likeliest};
+use super::noise::{Noise, likeliest};
+use crate::fit::covariance;
 use crate::fit::minimize::{Evaluation, LevenbergMarquardt, Limits, Minimizer, Objective};
+use crate::fit::objective::Rows;
 use crate::fit::{FitError, ParameterSpec};
+use crate::parallel::in_parallel;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 
@@ -16,8 +19,11 @@ pub struct Unknown {
     pub record: Option<usize>,
     /// Value (SI).
     pub value: f64,
-    /// Standard error.
+    /// Standard error, if the innovations are as the noise says.
     pub sd: f64,
+    /// Standard error that allows for innovations that hang together or are larger than that (never less than `sd`); the same where the
+    /// noise was not fitted.
+    pub robust_sd: f64,
 }
 
 /// What was found.
@@ -87,6 +93,55 @@ impl Problem<'_> {
     }
 }
 
+impl Problem<'_> {
+    /// Free parameters, each once.
+    fn free(&self) -> Vec<usize> {
+        let mut parameters: Vec<usize> = self.unknowns.iter().map(|u| u.0).collect();
+        parameters.sort_unstable();
+        parameters.dedup();
+        parameters
+    }
+
+    /// Standard errors from how the scores of all samples hang together; `None` where the model cannot be followed.
+    fn robust(&self, x: &[f64], normal: &DMatrix<f64>) -> Option<Vec<f64>> {
+        let free = self.free();
+        let columns: Vec<Column<'_>> = free.iter().map(|&i| Column::Parameter(i)).collect();
+        let passes = self.passes(&self.parameters(x), &columns, true)?;
+        let rows: Vec<Rows> = passes
+            .iter()
+            .zip(self.tracks)
+            .enumerate()
+            .map(|(record, (pass, track))| {
+                let of: Vec<(usize, usize)> = (0..self.unknowns.len())
+                    .filter(|&k| self.unknowns[k].1.is_none_or(|r| r == record))
+                    .filter_map(|k| Some((k, free.iter().position(|i| *i == self.unknowns[k].0)?)))
+                    .collect();
+                let outputs: Vec<usize> = track.measured().map(|(o, _)| o).collect();
+                let (m, width, count) = (of.len(), outputs.len(), track.times().len());
+                let mut rows = Rows {
+                    record,
+                    times: track.times().to_vec(),
+                    outputs: width,
+                    errors: vec![0.0; count * width],
+                    slopes: vec![1.0; count * width],
+                    jacobian: vec![0.0; count * width * m],
+                    columns: of.iter().map(|(k, _)| *k).collect(),
+                };
+                let innovations = pass.at.iter().zip(&pass.z).zip(pass.jacobian.chunks_exact(free.len()));
+                for ((&(sample, output), &z), by) in innovations {
+                    let Some(place) = outputs.iter().position(|o| *o == output) else { continue };
+                    let at = sample * width + place;
+                    rows.errors[at] = z;
+                    rows.jacobian[at * m..(at + 1) * m].iter_mut().zip(&of).for_each(|(to, (_, c))| *to = by[*c]);
+                }
+                rows
+            })
+            .collect();
+        let found = covariance::covariance(&rows, normal, &vec![false; self.unknowns.len()]);
+        Some((0..x.len()).map(|k| found.matrix[(k, k)].max(0.0).sqrt() * found.factor / 1.96).collect())
+    }
+}
+
 impl Objective for Problem<'_> {
     fn unknowns(&self) -> usize {
         self.unknowns.len()
@@ -100,9 +155,7 @@ impl Objective for Problem<'_> {
     }
     fn evaluate(&mut self, x: &[f64]) -> Option<Evaluation> {
         let p = self.parameters(x);
-        let mut parameters: Vec<usize> = self.unknowns.iter().map(|u| u.0).collect();
-        parameters.sort_unstable();
-        parameters.dedup();
+        let parameters = self.free();
         let columns: Vec<Column<'_>> = parameters.iter().map(|&i| Column::Parameter(i)).collect();
         let passes = self.passes(&p, &columns, true)?;
         let m = self.unknowns.len();
@@ -211,10 +264,15 @@ pub fn estimate(
     let x: Vec<f64> = unknowns.iter().map(|&(i, record)| p[record.unwrap_or(0)][i]).collect();
     let normal = problem.evaluate(&x).ok_or_else(|| nowhere(problem.tracks))?.normal;
     let covariance = inverse(&normal);
+    let robust = if options.rounds > 0 && !x.is_empty() { problem.robust(&x, &normal) } else { None };
     let found = unknowns
         .iter()
         .enumerate()
-        .map(|(k, &(parameter, record))| Unknown { parameter, record, value: x[k], sd: covariance[(k, k)].max(0.0).sqrt() })
+        .map(|(k, &(parameter, record))| {
+            let sd = covariance[(k, k)].max(0.0).sqrt();
+            let robust_sd = robust.as_ref().map_or(sd, |r| r[k].max(sd));
+            Unknown { parameter, record, value: x[k], sd, robust_sd }
+        })
         .collect();
     Ok(Estimated { p, unknowns: found, covariance, noise: problem.noise, log_likelihood, samples })
 }

@@ -174,6 +174,7 @@ pub fn identify(
         patterns: Vec::new(),
         evaluations: joint.evaluations,
         seconds: 0.0,
+        search_seconds: began.elapsed().as_secs_f64(),
         p_of_record,
     };
     for (record, p) in all.iter().zip(&fit.p_of_record) {

@@ -7,10 +7,11 @@
 //! derivatives of the model would be needed otherwise.
 
 use super::filter::{Filtering, Pass, Track, run};
-use super::noise::{Noise, Range, in_parallel, seen};
+use super::noise::{Noise, Range, seen};
 use crate::fit::ParameterSpec;
 use crate::fit::minimize::{Evaluation, Objective};
 use crate::fit::objective::Rows;
+use crate::parallel::in_parallel;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 use std::f64::consts::SQRT_2;

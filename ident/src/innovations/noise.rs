@@ -2,6 +2,7 @@
 
 use super::filter::{Track, pass};
 use crate::fit::data::spread;
+use crate::parallel::in_parallel;
 use runtime::Model;
 
 /// A number of a friction law.
@@ -9,6 +10,8 @@ use runtime::Model;
 pub enum Level {
     /// A parameter of the model.
     Parameter(usize),
+    /// A part of a parameter.
+    Part(usize, f64),
     /// A value (SI).
     Value(f64),
 }
@@ -17,6 +20,7 @@ impl Level {
     pub(super) fn of(self, p: &[f64]) -> f64 {
         match self {
             Self::Parameter(i) => p.get(i).copied().unwrap_or(0.0).abs(),
+            Self::Part(i, part) => (part * p.get(i).copied().unwrap_or(0.0)).abs(),
             Self::Value(value) => value.abs(),
         }
     }
@@ -225,21 +229,3 @@ fn spread_over(tracks: &[Track], output: usize) -> f64 {
 
 /// Samples from which the noise is found.
 const MOST_SAMPLES: usize = 3000;
-
-/// `f` of each item, on both halves of the list at once; in the order of the list.
-pub(crate) fn in_parallel<T: Sync, R: Send>(items: &[T], f: impl Fn(usize, &T) -> R + Sync) -> Vec<R> {
-    if items.len() < 2 {
-        return items.iter().enumerate().map(|(i, item)| f(i, item)).collect();
-    }
-    let middle = items.len() / 2;
-    let (left, right) = items.split_at(middle);
-    std::thread::scope(|scope| {
-        let other = scope.spawn(|| right.iter().enumerate().map(|(i, item)| f(middle + i, item)).collect::<Vec<R>>());
-        let mut all: Vec<R> = left.iter().enumerate().map(|(i, item)| f(i, item)).collect();
-        match other.join() {
-            Ok(rest) => all.extend(rest),
-            Err(panic) => std::panic::resume_unwind(panic),
-        }
-        all
-    })
-}
