@@ -6,7 +6,7 @@
 mod actuator;
 mod aero;
 mod inertial;
-mod joint;
+pub(crate) mod joint;
 mod own;
 mod sensor;
 pub(crate) mod unit;

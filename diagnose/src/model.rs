@@ -1,5 +1,6 @@
 //! Texts to models: a rig with effects and with a force on every free coordinate, derived and ready to run.
 
+use crate::effects::joint;
 use crate::effects::{Effect, Signature};
 use crate::forces::forces;
 use crate::patch::{Base, PatchError, Written, check, compose};
@@ -95,7 +96,17 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
         of_shape.push(shape);
     }
     let coordinates: Vec<usize> = pushed.into_iter().map(|force| force.coordinate).collect();
-    let dry = dry(&patched.rig, &coordinates);
+    let mut dry = dry(&patched.rig, &coordinates);
+    // friction that is written as a torque
+    for (e, (own, shape)) in effects.iter().zip(of_effect.iter().zip(&of_shape)).take(accepted).filter(|(e, _)| e.effect.id == "stribeck") {
+        let coordinate = patched.rig.coordinates.iter().position(|c| c.name == e.effect.place);
+        if let (Some(i), Some(&level), Some(&speed)) = (coordinate, own.first(), shape.first())
+            && let Some(entry) = coordinates.iter().position(|c| *c == i)
+        {
+            let rate = patched.rig.coordinates.len() + i;
+            dry.push(Dry { entry, rate, level: Level::Parameter(level), width: Level::Part(speed, joint::STRIBECK_WIDTH) });
+        }
+    }
     Ok(Prepared { base: patched, model: InProcess::new(equations), specs, entries, coordinates, dry, of_effect, of_shape })
 }
 

@@ -59,7 +59,9 @@ impl State {
             .unknowns
             .iter()
             .filter(|u| u.record.is_none_or(|r| r == 0))
-            .map(|u| (specs[u.parameter].name.clone(), self.prepared.model.names().parameter_unit(u.parameter).to_owned(), u.value, u.sd))
+            .map(|u| {
+                (specs[u.parameter].name.clone(), self.prepared.model.names().parameter_unit(u.parameter).to_owned(), u.value, u.robust_sd)
+            })
             .collect()
     }
 

@@ -46,7 +46,7 @@ pub(crate) fn finish(
                 name: specs[u.parameter].name.clone(),
                 record: u.record.and_then(|r| train.get(r)).map(|r| r.source.clone()),
                 value: u.value,
-                sd: u.sd,
+                sd: u.robust_sd,
                 unit: state.prepared.model.names().parameter_unit(u.parameter).to_owned(),
             })
             .collect();

@@ -30,6 +30,9 @@ pub(super) fn turns(rig: &Rig, scales: &Scales, i: usize) -> bool {
     is_angle(rig, i) && rig.coordinates[i].range.is_none_or(wide) && scales.range.get(i).copied().is_some_and(wide)
 }
 
+/// Width of the smooth sign of static friction, in parts of the speed at which it is gone: a wider one eats what acts next to rest.
+pub(crate) const STRIBECK_WIDTH: f64 = 0.06;
+
 fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut Vec<Effect>) {
     let q = &rig.coordinates[i].name;
     let (row, rate) = (of_row(rig, i), of_rate(rig, i));
@@ -57,8 +60,10 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
                 parameter(&name, row.text(), true, "static friction beyond Coulomb friction"),
                 shape(&v_s, rate_unit.clone(), speed, (0.2 * speed, 4.0 * speed), "speed at which it is gone"),
             ];
-            let statement =
-                format!("torque stribeck_{q}{} on {q}: -{name} * exp(-({q}.dot / {v_s})^2) * tanh({q}.dot / (0.2 * {v_s}));", tail(k));
+            let statement = format!(
+                "torque stribeck_{q}{} on {q}: -{name} * exp(-({q}.dot / {v_s})^2) * tanh({q}.dot / ({STRIBECK_WIDTH} * {v_s}));",
+                tail(k)
+            );
             out.push(added("stribeck", q, p, Some(format!("speed {speed} {rate_unit}")), statement));
         }
     }
