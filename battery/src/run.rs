@@ -372,7 +372,11 @@ pub fn run(task: &Task, keep: Option<&Path>, aloud: bool) -> Option<Outcome> {
         if let Hiding::Decoy(_) = task.hiding {
             told.retain(|c| alone.contains(&c.class));
         }
-        outcome.hidden = choose(task, &told, &mut plant, &moved, &mut chance)?;
+        let with = |plant: &Plant| {
+            let (records, _) = setting.records(task, plant, &mut Chance::new(seed, "alone"));
+            setting.diagnose((&records[..2], &records[2..]), &only, Step::Screen, Method::default()).map_or_else(|_| Vec::new(), |f| f.candidates)
+        };
+        outcome.hidden = choose(task, &told, &with, &mut plant, &moved, &mut chance)?;
         if let Hiding::Decoy(_) = task.hiding {
             only.retain(|id| outcome.hidden.iter().all(|h| h.effect != *id));
         }
@@ -418,8 +422,16 @@ fn shown_by_both(candidates: Vec<Candidate>) -> Vec<Candidate> {
     candidates.into_iter().filter(|c| c.status != "not identifiable").filter_map(both).collect()
 }
 
-/// What is hidden, and where.
-fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Moved, chance: &mut Chance) -> Option<Vec<Hidden>> {
+/// What is hidden, and where. `with` are the candidates of a first screening of another plant: effects are of different classes where the
+/// records of each alone say so. (Where an effect of several parameters is not there, its direction is that of the noise.)
+fn choose(
+    task: &Task,
+    candidates: &[Candidate],
+    with: &dyn Fn(&Plant) -> Vec<Candidate>,
+    plant: &mut Plant,
+    moved: &Moved,
+    chance: &mut Chance,
+) -> Option<Vec<Hidden>> {
     let told: Vec<&Candidate> = candidates.iter().collect();
     let detectable = |c: &Candidate| c.minimal_detectable.iter().map(|m| m.1).collect::<Vec<f64>>();
     let (count, multiple) = match task.hiding {
@@ -454,7 +466,8 @@ fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Move
         hide(plant, task.rig, &hidden, moved)?;
         return Some(vec![hidden]);
     }
-    let mut chosen: Vec<(Hidden, usize)> = Vec::new();
+    let clean = plant.clone();
+    let mut chosen: Vec<(Hidden, usize, Vec<Candidate>)> = Vec::new();
     // by effect first, so that effects with many places do not crowd out others
     for _ in 0..60 {
         if chosen.len() == count {
@@ -470,7 +483,7 @@ fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Move
         let own: Vec<&&Candidate> = told.iter().filter(|c| c.effect == id).collect();
         let c = own.get(chance.index(own.len()))?;
         let twice = |h: &Hidden| h.effect == c.effect && h.place == c.place;
-        if chosen.iter().any(|(h, class)| *class == c.class || twice(h)) {
+        if chosen.iter().any(|(h, class, _)| *class == c.class || twice(h)) {
             continue;
         }
         let detectable = detectable(c);
@@ -478,13 +491,25 @@ fn choose(task: &Task, candidates: &[Candidate], plant: &mut Plant, moved: &Move
             continue;
         }
         let hidden = Hidden { effect: c.effect.clone(), place: c.place.clone(), sizes: sizes(id, &detectable, multiple, chance), multiple };
-        let mut with = plant.clone();
-        if hide(&mut with, task.rig, &hidden, moved).is_some() {
-            *plant = with;
-            chosen.push((hidden, c.class));
+        let (mut both, mut alone) = (plant.clone(), clean.clone());
+        if hide(&mut both, task.rig, &hidden, moved).is_none() || hide(&mut alone, task.rig, &hidden, moved).is_none() {
+            continue;
+        }
+        let own = if count > 1 { with(&alone) } else { Vec::new() };
+        if chosen.iter().all(|(h, _, theirs)| !of_one_class(&own, h, &hidden) && !of_one_class(theirs, h, &hidden)) {
+            *plant = both;
+            chosen.push((hidden, c.class, own));
         }
     }
-    (chosen.len() == count).then(|| chosen.into_iter().map(|(h, _)| h).collect())
+    (chosen.len() == count).then(|| chosen.into_iter().map(|(h, ..)| h).collect())
+}
+
+/// A screening cannot tell them apart.
+fn of_one_class(candidates: &[Candidate], a: &Hidden, b: &Hidden) -> bool {
+    let classes =
+        |h: &Hidden| candidates.iter().filter(|c| c.effect == h.effect && c.place == h.place).map(|c| c.class).collect::<Vec<_>>();
+    let of_b = classes(b);
+    classes(a).iter().any(|class| of_b.contains(class))
 }
 
 fn fill(outcome: &mut Outcome, found: &Diagnosis) {
