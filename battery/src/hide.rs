@@ -32,7 +32,8 @@ pub struct Moved {
 }
 
 /// Effects with a sign.
-const POSITIVE: [&str; 11] = [
+const POSITIVE: [&str; 12] = [
+    "backlash",
     "viscous",
     "coulomb",
     "stribeck",
@@ -98,6 +99,10 @@ pub fn hide(plant: &mut Plant, rig: Rig, hidden: &Hidden, moved: &Moved) -> Opti
             let (other, own) = pair(place)?;
             within(size, 0.5)?;
             plant.sensors[joint(&own)?].misaligned = Some((joint(&other)?, size));
+        }
+        "backlash" => {
+            let i = joint(place)?;
+            plant.sensors[i].play = within(size, 0.2 * (moved.range[i].1 - moved.range[i].0))?;
         }
         "gravity_offset" | "base_tilt" => lean(plant, effect, place, size)?,
         _ if effect.starts_with("sensor_") => {

@@ -146,6 +146,7 @@ fn families(rig: Rig, number: u64) -> Vec<&'static str> {
         "sensor_drift",
         "sensor_misalignment",
         "base_tilt",
+        "backlash",
     ];
     let single = ["periodic_torque", "hard_stop", "gravity_offset", "added_mass"];
     let flying =

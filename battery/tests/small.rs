@@ -50,3 +50,14 @@ fn a_delay_shorter_than_a_sample_is_found_again_by_its_refit() {
     let hidden = found.hidden[0].sizes[0];
     assert!(hidden < 0.01 && (delay - hidden).abs() < 4.0 * sd, "hidden {hidden} s, found {delay} +- {sd} s");
 }
+
+#[test]
+fn play_between_joint_and_sensor_is_named() {
+    let found = outcome(Hiding::This("backlash", 4.0), 1);
+    assert!(!found.failed, "{}", found.because);
+    let said = found.said.first().unwrap_or_else(|| panic!("nothing was named: {}", found.because));
+    assert_eq!((said.effect.as_str(), said.place.as_str()), ("backlash", "theta"), "{:?}", found.said);
+    let ((width, sd), hidden) = (said.values[0], found.hidden[0].sizes[0]);
+    // the smooth law turns at once, the truth goes through its play first
+    assert!((width - hidden).abs() < 4.0 * sd.max(0.05 * hidden), "hidden {hidden} rad, found {width} +- {sd} rad");
+}

@@ -197,13 +197,28 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     }
     // where what is there is no larger than noise makes it, there is no gap to close
     let gaps: Vec<&Weighed> = weighed.iter().filter(|w| w.before > NONE * w.floor).collect();
-    if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) {
+    // what an instrument does may drown in what pushes the rig meanwhile: from one sample to the next it does not
+    let at_once = || {
+        let period = bench.held.iter().map(period).fold(f64::INFINITY, f64::min);
+        let (_, p_test) = if by_record { second_halves(bench, bench.prepared, bench.fitted) } else { (Vec::new(), bench.fitted.of_test.clone()) };
+        let of = |judged: figures::Judged<'_>, p_test: &[Vec<f64>]| predictions(figures::Judged { p_test, ..judged }, &later, period);
+        let before = of(bench.fitted.judged(bench.prepared), &p_test);
+        let each = weigh(&before, &of(tried.fitted.judged(&tried.prepared), &p_later), period);
+        each.iter().any(Weighed::closes)
+    };
+    if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !at_once() {
         return refuse(Refusal::Small(gaps.iter().map(|w| w.closed()).fold(f64::NEG_INFINITY, f64::max)), gain);
     }
     if weighed.iter().any(Weighed::worse) || error_ratio > WORSE {
         return refuse(Refusal::Worse, gain);
     }
     Ok(Ruling { refused: None, gain, error_ratio })
+}
+
+/// Time between samples [s].
+fn period(track: &Track) -> f64 {
+    let t = track.times();
+    (t[t.len() - 1] - t[0]) / (t.len() - 1).max(1) as f64
 }
 
 /// Second halves of all records, and parameters with what the first halves say of the day.
@@ -258,6 +273,11 @@ impl Weighed {
 
     fn closes_less_than(&self, share: f64) -> bool {
         self.before - self.after + ONE_SIDED * self.sd < share * (self.before - self.floor)
+    }
+
+    /// Closes its share of a gap, beyond chance.
+    fn closes(&self) -> bool {
+        self.before > self.floor && self.closed() >= CLOSES && self.before - self.after > CLEARLY * self.sd
     }
 
     /// After over before, none smaller than noise makes it.

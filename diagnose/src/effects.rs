@@ -163,7 +163,7 @@ pub struct Scales {
 }
 
 /// Ids of all effects, whether or not a rig has a place for them.
-pub const IDS: [&str; 32] = [
+pub const IDS: [&str; 33] = [
     "viscous",
     "coulomb",
     "stribeck",
@@ -192,6 +192,7 @@ pub const IDS: [&str; 32] = [
     "sensor_delay",
     "sensor_drift",
     "sensor_misalignment",
+    "backlash",
     "gravity_offset",
     "added_mass",
     "base_tilt",
@@ -213,7 +214,7 @@ pub fn catalogue(rig: &Rig, scales: &Scales) -> Vec<Effect> {
     joint::effects(rig, scales, &mut names, &mut all);
     actuator::effects(rig, scales, &mut names, &mut all);
     aero::effects(rig, scales, &mut names, &mut all);
-    sensor::effects(rig, &mut names, &mut all);
+    sensor::effects(rig, scales, &mut names, &mut all);
     inertial::effects(rig, &mut names, &mut all);
     all
 }

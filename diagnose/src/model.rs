@@ -107,7 +107,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
             dry.push(Dry { entry, rate, level: Level::Parameter(level), width: Level::Part(speed, joint::STRIBECK_WIDTH) });
         }
     }
-    Ok(Prepared { base: patched, model: InProcess::new(equations), specs, entries, coordinates, dry, of_effect, of_shape })
+    Ok(Prepared { base: patched, model: InProcess::at_work(equations), specs, entries, coordinates, dry, of_effect, of_shape })
 }
 
 /// Values of an effect's parameters: as they start, or null.

@@ -66,6 +66,13 @@ impl InProcess {
         Self::evaluated(equations, Evaluation::default())
     }
 
+    /// As [`InProcess::new`], compiled from the first call on: for work on several threads. When code takes over from the interpreter would
+    /// otherwise hang on how the threads run, and with it the last digit of a result.
+    #[must_use]
+    pub fn at_work(equations: Equations) -> Self {
+        Self::evaluated(equations, Evaluation::Compiled)
+    }
+
     /// As [`InProcess::new`], evaluated in a chosen way.
     #[must_use]
     pub fn evaluated(equations: Equations, evaluation: Evaluation) -> Self {

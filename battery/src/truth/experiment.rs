@@ -184,7 +184,7 @@ impl Experiment<'_> {
             range: [(f64::INFINITY, f64::NEG_INFINITY); MOST],
             ..Samples::default()
         };
-        // what happened: for delays
+        // what sensors have to show: for delays
         let mut seen: Vec<(f64, Row)> = vec![(0.0, self.start)];
         let mut acted = [0.0; MOST];
         let mut squares = [0.0; MOST];
@@ -230,7 +230,13 @@ impl Experiment<'_> {
                     let asked = path.asked(now + h, held(&t, &out.u[j], now + 0.999 * h - path.delay, self.command[j].0));
                     acted[j] = asked + (acted[j] - asked) * (-0.5 * h / path.lag).exp();
                 }
-                seen.push((now + h, motion.state.q));
+                // sensors with play are pulled along
+                let last = seen.last().map_or(self.start, |(_, q)| *q);
+                let pulled: Row = std::array::from_fn(|i| {
+                    let (q, half) = (motion.state.q[i], 0.5 * self.plant.sensors.get(i).map_or(0.0, |s| s.play));
+                    last[i].clamp(q - half, q + half)
+                });
+                seen.push((now + h, pulled));
                 for i in 0..n {
                     squares[i] += motion.state.v[i].powi(2);
                     out.range[i] = (out.range[i].0.min(motion.state.q[i]), out.range[i].1.max(motion.state.q[i]));

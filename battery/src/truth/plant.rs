@@ -100,6 +100,8 @@ pub struct Sensor {
     pub drift: f64,
     /// Share of another coordinate.
     pub misaligned: Option<(usize, f64)>,
+    /// Play between the joint and it: it stands until the joint has gone through.
+    pub play: f64,
     /// Step of the encoder; zero for none.
     pub quantum: f64,
     /// Standard deviation of its noise.

@@ -29,7 +29,7 @@ pub fn run(args: &Identify) -> Result<Answer, Failure> {
     if args.method == Method::Innovations {
         return innovations::run(args, loaded, &specs, (&records, &tests));
     }
-    let model = InProcess::new(load::equations(&loaded, Options::default())?);
+    let model = InProcess::at_work(load::equations(&loaded, Options::default())?);
     if args.method == Method::EquationError {
         return equation_error::run(args, &loaded.rig.name, &model, &specs, (&records, &tests));
     }

@@ -22,7 +22,7 @@ pub fn run(args: &Identify, loaded: Loaded, asked: &[ParameterSpec], (records, t
     let (pushed, forces) = with_forces(&base).map_err(|e| Failure::new("C0504", e.to_string()))?;
     let equations =
         codegen::derive(&pushed.rig, Options { lumps, ..Options::default() }).map_err(|e| Failure::new("C0201", e.to_string()))?;
-    let model = InProcess::new(equations);
+    let model = InProcess::at_work(equations);
     let mut specs = ParameterSpec::of_rig(&pushed.rig);
     for spec in &mut specs {
         match asked.iter().find(|s| s.name == spec.name) {

@@ -15,7 +15,7 @@ use std::fmt::Write;
 
 pub fn run(args: &Preflight) -> Result<Answer, Failure> {
     let loaded = load::load(&args.rig)?;
-    let model = InProcess::new(load::equations(&loaded, Options::default())?);
+    let model = InProcess::at_work(load::equations(&loaded, Options::default())?);
     let records =
         args.data.iter().map(|p| record::read(p).map_err(|e| Failure::new("C0501", e.to_string()))).collect::<Result<Vec<_>, _>>()?;
     let specs = ParameterSpec::of_rig(&loaded.rig);

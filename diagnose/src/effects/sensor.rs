@@ -1,13 +1,16 @@
 //! Effects on the way from a motion to its measured value.
 
-use super::unit::{Text, is_angle};
-use super::{Edit, Effect, EffectParameter, Names, Signature, at_most, parameter};
+use super::unit::{Text, is_angle, of_coordinate, of_rate};
+use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, at_most, parameter, rounded};
 use model_dsl::rig::{Expr, Rig, Symbol};
 
 /// Largest error of a scale, and largest share of another angle: beyond, something else is measured.
 const LARGEST: f64 = 0.5;
 
-pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
+/// Width of the smooth sign by which play follows the rate, in parts of a typical rate.
+const TURNS: f64 = 0.03;
+
+pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut Vec<Effect>) {
     for (output, y) in rig.outputs.iter().enumerate() {
         let unit = Text::read(&y.unit.text);
         let unit_text = if unit == Text::one() { "rad".to_owned() } else { unit.text() };
@@ -27,8 +30,25 @@ pub(super) fn effects(rig: &Rig, names: &mut Names, out: &mut Vec<Effect>) {
         let name = names.free(&format!("r_y_{}", y.name));
         let p = parameter(&name, unit.by(&Text::read("s"), -1).text(), false, "drift of the sensor");
         add("sensor_drift", y.name.clone(), p, "drift", Signature::Parameters, true);
-        // an axis that leans reads a part of another angle
         let Expr::Symbol(Symbol::Coordinate(own)) = y.value else { continue };
+        // play between joint and sensor: the reading hangs behind by half of it, on the side that it comes from
+        let typical = scales.rate.get(own).copied().unwrap_or(0.0);
+        if typical > 0.0 {
+            let name = names.free(&format!("w_{}", y.name));
+            let (q, width) = (&rig.coordinates[own].name, rounded(TURNS * typical));
+            let value = format!("-0.5 * {name} * tanh({q}.dot / ({width} [{}]))", of_rate(rig, own).text());
+            out.push(Effect {
+                id: "backlash".to_owned(),
+                place: y.name.clone(),
+                parameters: vec![parameter(&name, of_coordinate(rig, own).text(), true, "play between joint and sensor")],
+                shape: None,
+                edit: Edit::Output { output, entry: "value", value },
+                signature: Signature::Parameters,
+                of_the_day: false,
+                by_record: false,
+            });
+        }
+        // an axis that leans reads a part of another angle
         if !is_angle(rig, own) {
             continue;
         }
