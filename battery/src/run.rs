@@ -375,7 +375,9 @@ pub fn run(task: &Task, keep: Option<&Path>, aloud: bool) -> Option<Outcome> {
         }
         let with = |plant: &Plant| {
             let (records, _) = setting.records(task, plant, &mut Chance::new(seed, "alone"));
-            setting.diagnose((&records[..2], &records[2..]), &only, Step::Screen, Method::default()).map_or_else(|_| Vec::new(), |f| f.candidates)
+            setting
+                .diagnose((&records[..2], &records[2..]), &only, Step::Screen, Method::default())
+                .map_or_else(|_| Vec::new(), |f| f.candidates)
         };
         outcome.hidden = choose(task, &told, &with, &mut plant, &moved, &mut chance)?;
         if let Hiding::Decoy(_) = task.hiding {

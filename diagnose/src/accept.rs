@@ -200,7 +200,8 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     // what an instrument does may drown in what pushes the rig meanwhile: from one sample to the next it does not
     let at_once = || {
         let period = bench.held.iter().map(period).fold(f64::INFINITY, f64::min);
-        let (_, p_test) = if by_record { second_halves(bench, bench.prepared, bench.fitted) } else { (Vec::new(), bench.fitted.of_test.clone()) };
+        let (_, p_test) =
+            if by_record { second_halves(bench, bench.prepared, bench.fitted) } else { (Vec::new(), bench.fitted.of_test.clone()) };
         let of = |judged: figures::Judged<'_>, p_test: &[Vec<f64>]| predictions(figures::Judged { p_test, ..judged }, &later, period);
         let before = of(bench.fitted.judged(bench.prepared), &p_test);
         let each = weigh(&before, &of(tried.fitted.judged(&tried.prepared), &p_later), period);

@@ -117,8 +117,11 @@ pub fn screen(
     }
     let here =
         |row: &[f64], (column, record): (usize, Option<usize>), r: usize| if record.is_none_or(|k| k == r) { row[column] } else { 0.0 };
-    let passes = passes(model, p, tracks, noise, &columns)?;
+    let mut passes = passes(model, p, tracks, noise, &columns)?;
     let count = columns.len();
+    for (r, pass) in passes.iter_mut().enumerate() {
+        clear_rounding(model, &p[r], &tracks[r], &columns, pass);
+    }
 
     // base columns: one for each record where the parameter belongs to the day
     let mut base: Vec<(usize, Option<usize>)> = Vec::new();
@@ -225,6 +228,31 @@ fn passes(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &Noise, co
         found.push(one?.ok_or(FitError::NoStart { file: track.source().to_owned(), status: None })?);
     }
     Ok(found)
+}
+
+/// What rounding leaves of a parameter that an output shows directly, in parts of that: a sensor's zero where the motion's own does the same.
+const ROUNDING: f64 = 1e-6;
+
+/// Takes out derivatives that are nothing but rounding: they would be a signature of their own.
+fn clear_rounding(model: &dyn Model, p: &[f64], track: &Track, columns: &[Column<'_>], pass: &mut Pass) {
+    let d = model.dimensions();
+    let order = pass.states.len() / track.times().len().max(1);
+    let middle = track.times().len() / 2;
+    let Some(state) = pass.states.get(middle * order..middle * order + d.states()) else { return };
+    let (mut c, mut dhdp) = (vec![0.0; d.outputs * d.states()], vec![0.0; d.outputs * d.parameters]);
+    model.output_jacobian(track.times()[middle], state, p, &mut c, &mut dhdp);
+    let count = columns.len();
+    for (column, i) in columns.iter().enumerate().filter_map(|(k, c)| if let Column::Parameter(i) = c { Some((k, *i)) } else { None }) {
+        let direct = |o: usize| dhdp[o * d.parameters + i];
+        let (mut seen, mut shown) = (0.0, 0.0);
+        for (row, ((_, o), sd)) in pass.jacobian.chunks_exact(count).zip(pass.at.iter().zip(&pass.gains.sd)) {
+            shown += row[column].powi(2);
+            seen += (direct(*o) / sd).powi(2);
+        }
+        if shown < ROUNDING.powi(2) * seen {
+            pass.jacobian.iter_mut().skip(column).step_by(count).for_each(|v| *v = 0.0);
+        }
+    }
 }
 
 /// X with (gram) X = cross, scaled; directions without information get nothing.

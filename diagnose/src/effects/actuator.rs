@@ -1,7 +1,7 @@
 //! Effects on the way from a command to what it moves.
 
 use super::unit::{Text, of_row};
-use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, added, parameter, rounded, shape};
+use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, added, at_most, parameter, rounded, shape};
 use model_dsl::rig::Rig;
 
 pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut Vec<Effect>) {
@@ -46,7 +46,8 @@ fn maps(rig: &Rig, scales: &Scales, j: usize, names: &mut Names, out: &mut Vec<E
     bias.of_the_day = true;
     out.push(bias);
     let name = names.free(&format!("g_{u}"));
-    let p = vec![parameter(&name, one.text(), false, "relative change of the gain")];
+    // beyond, it is another actuator, and likelier that all the rig's inertias and stiffnesses were carried off with it
+    let p = vec![at_most(1.0, parameter(&name, one.text(), false, "relative change of the gain"))];
     out.push(map(rig, j, "actuator_gain", p, None, Some(format!("(1 + {name})")), None));
     let name = names.free(&format!("k_u_{u}"));
     let p = vec![parameter(&name, one.by(&unit, -1).text(), false, "curvature of the gain")];

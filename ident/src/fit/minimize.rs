@@ -181,8 +181,10 @@ impl Minimizer for LevenbergMarquardt {
                 let scaled = |v: &dyn Fn(usize) -> f64| (0..n).map(|i| (scale[i] * v(i)).powi(2)).sum::<f64>().sqrt();
                 let (length, size) = (scaled(&|i| step[i]), scaled(&|i| x[i]));
                 let trial: Vec<f64> = (0..n).map(|i| (x[i] + step[i]).max(bounds[i].0).min(bounds[i].1)).collect();
-                // so little is left to gain that the quadratic model gives it as well, and no damping hides more
-                if damping <= 1e-3 && foreseen >= 0.0 && foreseen <= limits.cost * at.cost {
+                // so little is left to gain, so near, that the quadratic model gives it as well, and no damping hides more
+                // (a direction that rounding alone tells from none foresees as little, and goes far)
+                let near = damping <= 1e-3 && (0..n).all(|i| step[i].abs() <= 1e-3 * x[i].abs().max(objective.size(i).abs()));
+                if near && foreseen >= 0.0 && foreseen <= limits.cost * at.cost {
                     x = trial;
                     at.cost -= foreseen;
                     at.gradient += &at.normal * &step;

@@ -42,7 +42,8 @@ pub type Shape = dyn Fn(f64, &[f64], &[f64]) -> f64 + Sync;
 #[derive(Clone, Debug, Default)]
 pub struct Gains {
     gain: Vec<f64>,
-    pub(super) sd: Vec<f64>,
+    /// Standard deviation of each innovation (SI).
+    pub sd: Vec<f64>,
 }
 
 /// What a pass found.
