@@ -1,7 +1,9 @@
-//! A force on every free coordinate, by a parameter that is zero: how random forces enter a rig.
+//! A force on every free coordinate, by a parameter that is zero: how random forces enter a rig; and where its friction is random, too.
 
 use crate::effects::unit::of_row;
 use crate::patch::{Base, PatchError, check, compose};
+use ident::innovations::{Dry, Level};
+use model_dsl::rig::{Expr, Friction, Rig, Symbol};
 
 /// A coordinate that is pushed.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,4 +37,20 @@ pub fn with_forces(base: &Base) -> Result<(Base, Vec<Force>), PatchError> {
         }
     }
     Ok((pushed, forces))
+}
+
+/// Dry frictions of single coordinates whose level and width are names or numbers; `coordinates` are those that are pushed.
+#[must_use]
+pub fn dry_frictions(rig: &Rig, coordinates: &[usize]) -> Vec<Dry> {
+    let level = |e: &Option<Expr>| match e {
+        Some(Expr::Symbol(Symbol::Parameter(i))) => Some(Level::Parameter(*i)),
+        Some(Expr::Number(value)) => Some(Level::Value(*value)),
+        _ => None,
+    };
+    let of = |f: &Friction| {
+        let Expr::Symbol(Symbol::Coordinate(i)) = &f.of else { return None };
+        let entry = coordinates.iter().position(|c| c == i)?;
+        Some(Dry { entry, rate: rig.coordinates.len() + i, level: level(&f.coulomb)?, width: level(&f.width)? })
+    };
+    rig.frictions.iter().filter_map(of).collect()
 }

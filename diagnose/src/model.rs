@@ -2,13 +2,12 @@
 
 use crate::effects::joint;
 use crate::effects::{Effect, Signature};
-use crate::forces::forces;
+use crate::forces::{dry_frictions, forces};
 use crate::patch::{Base, PatchError, Written, check, compose};
 use codegen::Options;
 use ident::fit::ParameterSpec;
 use ident::innovations::{Dry, Level, Noise};
 use jit::InProcess;
-use model_dsl::rig::{Expr, Friction, Rig, Symbol};
 
 /// An effect that the model has.
 #[derive(Clone, Debug)]
@@ -96,7 +95,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
         of_shape.push(shape);
     }
     let coordinates: Vec<usize> = pushed.into_iter().map(|force| force.coordinate).collect();
-    let mut dry = dry(&patched.rig, &coordinates);
+    let mut dry = dry_frictions(&patched.rig, &coordinates);
     // friction that is written as a torque
     for (e, (own, shape)) in effects.iter().zip(of_effect.iter().zip(&of_shape)).take(accepted).filter(|(e, _)| e.effect.id == "stribeck") {
         let coordinate = patched.rig.coordinates.iter().position(|c| c.name == e.effect.place);
@@ -122,19 +121,4 @@ impl Prepared {
     pub fn noise(&self, found: &Noise) -> Noise {
         Noise { entries: self.entries.clone(), dry: self.dry.clone(), ..found.clone() }
     }
-}
-
-/// Dry frictions of single coordinates whose level and width are names or numbers.
-fn dry(rig: &Rig, coordinates: &[usize]) -> Vec<Dry> {
-    let level = |e: &Option<Expr>| match e {
-        Some(Expr::Symbol(Symbol::Parameter(i))) => Some(Level::Parameter(*i)),
-        Some(Expr::Number(value)) => Some(Level::Value(*value)),
-        _ => None,
-    };
-    let of = |f: &Friction| {
-        let Expr::Symbol(Symbol::Coordinate(i)) = &f.of else { return None };
-        let entry = coordinates.iter().position(|c| c == i)?;
-        Some(Dry { entry, rate: rig.coordinates.len() + i, level: level(&f.coulomb)?, width: level(&f.width)? })
-    };
-    rig.frictions.iter().filter_map(of).collect()
 }

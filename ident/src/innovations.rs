@@ -27,6 +27,6 @@ mod transition;
 pub use ahead::{Ahead, ahead};
 pub use estimate::{EstimateOptions, Estimated, TAIL, Unknown, estimate, likelihood};
 pub use filter::{Column, Gains, Pass, Shape, Track, pass, wander};
-pub use identify::{InnovationsFit, InnovationsOptions, OutputNoise, Positive, RandomForce, identify};
+pub use identify::{Driven, InnovationsFit, InnovationsOptions, OutputNoise, Positive, RandomForce, identify};
 pub use noise::{Dry, Level, Noise, likeliest};
 pub use smooth::{Smoothed, smooth};

@@ -3,7 +3,7 @@
 
 use crate::random::Random;
 use ident::fit::{Estimate, FitOptions, ParameterSpec, identify as output_error, select};
-use ident::innovations::{InnovationsOptions, RandomForce, identify as innovations};
+use ident::innovations::{Driven, InnovationsOptions, RandomForce, identify as innovations};
 use ident::record::{Column, Record, Start};
 use jit::InProcess;
 use sim::{Hold, Signal, Signals, simulate};
@@ -158,8 +158,8 @@ pub fn study(experiment: &Experiment, runs: usize, seed: u64, both: bool) -> (Ou
             Ok(Some(fit)) => eprintln!("{}, run {run}, output error: {}", experiment.name, fit.ending),
             Err(e) => eprintln!("{}, run {run}, output error: {e}", experiment.name),
         }
-        let named = [("q".to_owned(), force)];
-        match innovations(&model, &start, &named, &records, &[], &InnovationsOptions::default()) {
+        let driven = Driven { forces: vec![("q".to_owned(), force)], ..Driven::default() };
+        match innovations(&model, &start, &driven, &records, &[], &InnovationsOptions::default()) {
             Ok(found) if found.fit.ending.converged() => {
                 filtered.add(&found.fit.parameters, &truth, &specs);
                 forces.extend(found.forces);

@@ -7,10 +7,10 @@ use crate::load::Loaded;
 use crate::output::{Answer, number};
 use crate::pages::short;
 use codegen::Options;
-use diagnose::forces::with_forces;
+use diagnose::forces::{dry_frictions, with_forces};
 use diagnose::patch::Base;
 use ident::fit::ParameterSpec;
-use ident::innovations::{InnovationsFit, InnovationsOptions, Positive, identify};
+use ident::innovations::{Driven, InnovationsFit, InnovationsOptions, Positive, identify};
 use ident::record::Record;
 use jit::InProcess;
 use serde_json::{Value, json};
@@ -34,15 +34,17 @@ pub fn run(args: &Identify, loaded: Loaded, asked: &[ParameterSpec], (records, t
         .iter()
         .filter_map(|f| Some((base.rig.coordinates[f.coordinate].name.clone(), specs.iter().position(|s| s.name == f.parameter)?)))
         .collect();
+    let coordinates: Vec<usize> = forces.iter().map(|f| f.coordinate).collect();
+    let driven = Driven { forces: entries, dry: dry_frictions(&pushed.rig, &coordinates) };
     let options =
         InnovationsOptions { hold: args.hold.into(), horizon: args.horizon, block: args.decimate.max(1), ..InnovationsOptions::default() };
     eprintln!(
         "fitting {} parameters and the sizes of random forces on {} coordinates to {} records ..",
         specs.iter().filter(|s| s.free).count(),
-        entries.len(),
+        driven.forces.len(),
         records.len()
     );
-    let found = identify(&model, &specs, &entries, records, tests, &options).map_err(|e| Failure::new("C0504", e.to_string()))?;
+    let found = identify(&model, &specs, &driven, records, tests, &options).map_err(|e| Failure::new("C0504", e.to_string()))?;
     let rig = &base.rig.name;
     let told = facts(&found);
     let short = found.forces.iter().filter(|f| f.sd.ci95.is_some() && f.time.at_bound).map(|f| {

@@ -3,7 +3,7 @@
 use super::estimate::{EstimateOptions, Estimated, estimate, likelihood};
 use super::filter::Track;
 use super::joint::{Joint, Kind};
-use super::noise::Noise;
+use super::noise::{Dry, Noise};
 use super::smooth::smooth;
 use crate::fit::covariance::{self, Covariance};
 use crate::fit::minimize::{Evaluation, LevenbergMarquardt, Limits, Minimizer, Objective};
@@ -37,6 +37,15 @@ impl Default for InnovationsOptions {
     fn default() -> Self {
         Self { hold: Hold::default(), horizon: None, blur: 0.1, block: 1, evaluations: 10 }
     }
+}
+
+/// What drives a rig besides its inputs.
+#[derive(Clone, Debug, Default)]
+pub struct Driven {
+    /// Coordinates with a random force, and the parameters of the model by which these enter.
+    pub forces: Vec<(String, usize)>,
+    /// Dry friction, which is random where its coordinate turns.
+    pub dry: Vec<Dry>,
 }
 
 /// A positive number with its 95 % interval.
@@ -98,7 +107,7 @@ const BUMPS: [usize; 3] = [16, 40, 100];
 pub fn identify(
     model: &dyn Model,
     specs: &[ParameterSpec],
-    forces: &[(String, usize)],
+    driven: &Driven,
     records: &[Record],
     tests: &[Record],
     options: &InnovationsOptions,
@@ -110,13 +119,13 @@ pub fn identify(
     let (all, hold) = (records, if options.block > 1 { Hold::First } else { options.hold });
     let records = &blocks(model, &nominal, records, options)[..];
     let mut tracks = records.iter().map(|r| Track::new(r, model, &nominal, hold)).collect::<Result<Vec<_>, _>>()?;
-    let unknowns = specs.iter().filter(|s| s.free).map(|s| if s.per_record { records.len() } else { 1 }).sum::<usize>() + 2 * forces.len();
+    let unknowns =
+        specs.iter().filter(|s| s.free).map(|s| if s.per_record { records.len() } else { 1 }).sum::<usize>() + 2 * driven.forces.len();
     let samples: usize = tracks.iter().map(|t| t.times().len() * t.measured().count()).sum();
     if samples < unknowns {
         return Err(FitError::TooFewSamples { samples, unknowns });
     }
-    let entries: Vec<usize> = forces.iter().map(|f| f.1).collect();
-    let (started_from, found) = begin(model, specs, &mut tracks, (&nominal, &entries), records, &InnovationsOptions { hold, ..*options })?;
+    let (started_from, found) = begin(model, specs, &mut tracks, (&nominal, driven), records, &InnovationsOptions { hold, ..*options })?;
 
     let nowhere = || FitError::NoStart { file: tracks[0].source().to_owned(), status: None };
     let sd =
@@ -186,7 +195,7 @@ pub fn identify(
     }
     judge(model, specs, &mut fit, (all, tests), &judged)?;
     fit.seconds = began.elapsed().as_secs_f64();
-    let forces = forces.iter().enumerate().map(|(k, (name, entry))| RandomForce {
+    let forces = driven.forces.iter().enumerate().map(|(k, (name, entry))| RandomForce {
         coordinate: name.clone(),
         unit: model.names().parameter_unit(*entry).to_owned(),
         sd: answer.positive(Kind::Size(k)),
@@ -213,7 +222,7 @@ fn begin(
     model: &dyn Model,
     specs: &[ParameterSpec],
     tracks: &mut [Track],
-    (nominal, entries): (&[f64], &[usize]),
+    (nominal, driven): (&[f64], &Driven),
     records: &[Record],
     options: &InnovationsOptions,
 ) -> Result<(String, Estimated), FitError> {
@@ -226,7 +235,8 @@ fn begin(
             starts.push((format!("equation error, windows of {window} samples"), found.p_of_record));
         }
     }
-    let guess = Noise::guess(model, nominal, tracks, entries.to_vec());
+    let entries = driven.forces.iter().map(|f| f.1).collect();
+    let guess = Noise { dry: driven.dry.clone(), ..Noise::guess(model, nominal, tracks, entries) };
     // how likely each start is says where to begin; the rig's own values are searched from in any case
     let mut likely: Vec<(f64, usize)> = Vec::new();
     for (k, (_, p)) in starts.iter().enumerate() {
