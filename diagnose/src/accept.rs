@@ -10,6 +10,7 @@ use crate::shown::{Share, Way, share};
 use ident::innovations::{Ahead, Track};
 use std::collections::BTreeSet;
 use std::fmt;
+use std::sync::Arc;
 
 /// A refitted candidate.
 pub struct Tried {
@@ -20,7 +21,7 @@ pub struct Tried {
     /// Effects of this model.
     pub included: Vec<Included>,
     /// Model.
-    pub prepared: Prepared,
+    pub prepared: Arc<Prepared>,
     /// Fit.
     pub fitted: Fitted,
     /// Candidates that cannot be told from it.

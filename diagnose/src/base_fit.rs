@@ -12,6 +12,7 @@ use ident::fit::{FitError, FitOptions, Loss, ParameterSpec, identify};
 use ident::innovations::{EstimateOptions, Estimated, Noise, Track, estimate, likelihood};
 use ident::record::Record;
 use sim::Hold;
+use std::sync::Arc;
 
 /// A fitted model.
 #[derive(Clone)]
@@ -170,7 +171,7 @@ pub fn refit(
     from: &Fitted,
     (tracks, held): (&mut [Track], &[Track]),
     thorough: bool,
-) -> Result<(Prepared, Fitted), DiagnoseError> {
+) -> Result<(Arc<Prepared>, Fitted), DiagnoseError> {
     let prepared = prepare(base, asked, included, included.len())?;
     let start: Vec<Vec<f64>> = from
         .found
@@ -188,7 +189,7 @@ pub fn refit(
     let found = estimate(&prepared.model, &prepared.specs, &mut own, &start, noise, effort)?;
     let names = prepared.specs.iter().map(|s| s.name.clone()).collect();
     let of_test = from_first_halves(&prepared, &found, held);
-    Ok((prepared, Fitted { found, names, of_test }))
+    Ok((Arc::new(prepared), Fitted { found, names, of_test }))
 }
 
 /// Likelihood of test records, by sample, with the sizes of `noise`; each record begins as its first samples say.

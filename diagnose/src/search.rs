@@ -13,6 +13,7 @@ use crate::shapes::{uneven, unnamed};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
 use runtime::Model;
+use std::sync::Arc;
 
 /// Log-likelihood by which one effect must be ahead of another of its class, over all records, to be told from it (odds of 100 to 1).
 pub(crate) const SEPARATES: f64 = 4.6;
@@ -33,7 +34,7 @@ pub(crate) struct Question<'a> {
 
 /// Where the search stands.
 pub(crate) struct State {
-    pub prepared: Prepared,
+    pub prepared: Arc<Prepared>,
     pub fitted: Fitted,
     pub accepted: Vec<Included>,
 }

@@ -26,6 +26,7 @@ use ident::record::{Record, averaged};
 use runtime::Model;
 use sim::Hold;
 use std::collections::VecDeque;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Log-likelihood by which a refused effect must be ahead of another for that one to be its shadow.
@@ -154,7 +155,7 @@ pub fn diagnose(
     if train.len() > 1 {
         effects.extend(by_record(&effects));
     }
-    let mut current = State { prepared: plain, fitted, accepted: Vec::new() };
+    let mut current = State { prepared: Arc::new(plain), fitted, accepted: Vec::new() };
     let base_state_names: Vec<(String, String, f64, f64)> = current.free_parameters();
     let base_figures = answer.before.clone();
     // acceptance looks at predictions: many starts scatter less than one free run, which may go over the top
@@ -223,13 +224,14 @@ pub fn diagnose(
             {
                 chosen.push_front(of_the_day);
             }
-            let untold = matches!(why, Refusal::Untold(_)) && significant;
-            let waits =
-                matches!(why, Refusal::Contradiction { .. } | Refusal::NoGain(_) | Refusal::Worse | Refusal::Small(_)) && significant;
+            let untold = matches!(why, Refusal::Untold(_));
+            let waits = untold || matches!(why, Refusal::Contradiction { .. } | Refusal::NoGain(_) | Refusal::Worse | Refusal::Small(_));
             rejected.push(Rejected { effect: effect.clone(), why, significant, turn });
-            if untold && unconfirmed.is_none() {
-                unconfirmed = Some(State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted });
-            } else if waits && alone.len() < MOST_ALONE && !effect.by_record {
+            if untold && significant && unconfirmed.is_none() {
+                unconfirmed =
+                    Some(State { accepted: tried.included.clone(), prepared: tried.prepared.clone(), fitted: tried.fitted.clone() });
+            }
+            if waits && significant && alone.len() < MOST_ALONE && !effect.by_record {
                 let equivalent = tried.equivalent.iter().map(|&i| numbers[i]).collect();
                 alone.push(Refused {
                     effect: numbers[tried.index],
