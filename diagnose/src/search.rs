@@ -49,8 +49,12 @@ pub(crate) struct Round {
 }
 
 impl State {
-    pub fn has(&self, effect: &Effect) -> bool {
-        self.accepted.iter().any(|a| a.effect.id == effect.id && a.effect.place == effect.place)
+    /// Effects that can still be asked for, by their numbers. Where friction is dry there is no play to be told from it: its smooth law turns
+    /// as softly as play does.
+    pub fn open(&self, effects: &[Effect]) -> Vec<usize> {
+        let has = |ids: &[&str], place: &str| self.accepted.iter().any(|a| ids.contains(&a.effect.id.as_str()) && a.effect.place == place);
+        let rubs = |e: &Effect| e.id == "backlash" && has(&["coulomb", "stribeck"], &e.place);
+        (0..effects.len()).filter(|&i| !has(&[effects[i].id.as_str()], &effects[i].place) && !rubs(&effects[i])).collect()
     }
 
     pub fn free_parameters(&self) -> Vec<(String, String, f64, f64)> {

@@ -67,7 +67,7 @@ pub(crate) fn together(
     let Tried { included, prepared, fitted, .. } = first.tried;
     let mut state = State { accepted: included, prepared, fitted };
     while group.len() < MOST && state.accepted.len() < ask.options.most_effects {
-        let numbers: Vec<usize> = (0..effects.len()).filter(|&i| !state.has(&effects[i])).collect();
+        let numbers = state.open(effects);
         let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
         tell(&format!("  beside {}: screening {} candidates ..", state.accepted[before].effect.title(), left.len()));
         let round = state.screen(ask, &left, tracks, &[])?;

@@ -171,7 +171,7 @@ pub fn diagnose(
     loop {
         turn += 1;
         tell(&format!("screening {} candidates ..", effects.len()));
-        let numbers: Vec<usize> = (0..effects.len()).filter(|&i| !current.has(&effects[i])).collect();
+        let numbers = current.open(&effects);
         let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
         // what the test records could show is asked once
         let asked_of: &[Track] = if current.accepted.is_empty() { &held } else { &[] };

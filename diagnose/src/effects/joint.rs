@@ -33,6 +33,11 @@ pub(super) fn turns(rig: &Rig, scales: &Scales, i: usize) -> bool {
 /// Width of the smooth sign of static friction, in parts of the speed at which it is gone: a wider one eats what acts next to rest.
 pub(crate) const STRIBECK_WIDTH: f64 = 0.06;
 
+/// The rig has dry friction on this coordinate.
+pub(super) fn is_dry(rig: &Rig, i: usize) -> bool {
+    rig.frictions.iter().any(|f| f.coulomb.is_some() && matches!(f.of, Expr::Symbol(Symbol::Coordinate(of)) if of == i))
+}
+
 fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut Vec<Effect>) {
     let q = &rig.coordinates[i].name;
     let (row, rate) = (of_row(rig, i), of_rate(rig, i));
@@ -43,7 +48,7 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
 
     let typical = scales.rate.get(i).copied().unwrap_or(0.0);
     // another width of a friction that is there is no effect
-    let dry = rig.frictions.iter().any(|f| f.coulomb.is_some() && matches!(f.of, Expr::Symbol(Symbol::Coordinate(of)) if of == i));
+    let dry = is_dry(rig, i);
     if typical > 0.0 {
         let widths: &[f64] = if dry { &[] } else { &[0.03, 0.15, 0.006] };
         for (k, share) in widths.iter().copied().enumerate() {

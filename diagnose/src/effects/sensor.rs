@@ -1,5 +1,6 @@
 //! Effects on the way from a motion to its measured value.
 
+use super::joint::is_dry;
 use super::unit::{Text, is_angle, of_coordinate, of_rate};
 use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, at_most, parameter, rounded};
 use model_dsl::rig::{Expr, Rig, Symbol};
@@ -33,7 +34,8 @@ pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut V
         let Expr::Symbol(Symbol::Coordinate(own)) = y.value else { continue };
         // play between joint and sensor: the reading hangs behind by half of it, on the side that it comes from
         let typical = scales.rate.get(own).copied().unwrap_or(0.0);
-        if typical > 0.0 {
+        // (dry friction's smooth law turns as softly: no record tells one from the other)
+        if typical > 0.0 && !is_dry(rig, own) {
             let name = names.free(&format!("w_{}", y.name));
             let (q, width) = (&rig.coordinates[own].name, rounded(TURNS * typical));
             let value = format!("-0.5 * {name} * tanh({q}.dot / ({width} [{}]))", of_rate(rig, own).text());
