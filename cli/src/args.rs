@@ -35,7 +35,7 @@ pub use excite::{Excite, Shape};
 pub use export::{Export, Target};
 pub use fit_map::FitMap;
 pub use generate::Generate;
-pub use identify::{Identify, Method};
+pub use identify::{Derivative, Identify, Method};
 pub use linearize::Linearize;
 pub use lqr::Lqr;
 pub use new::New;

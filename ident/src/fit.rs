@@ -34,7 +34,7 @@ mod specification;
 mod whiteness;
 
 pub use answer::{Estimate, Fit, InitialValue, RecordFigures, SignalFigure};
-pub use equation_error::{EquationErrorFit, Preparation, equation_error};
+pub use equation_error::{EquationErrorFit, Preparation, RatesBy, channel_by_channel, equation_error};
 pub(crate) use equation_error::{coordinates as measured_coordinates, unexplained};
 pub use error::FitError;
 pub(crate) use filter::rates;

@@ -50,9 +50,21 @@ pub enum Method {
     OutputError,
     /// The differential equations with the measured motion put in: smoothed derivatives (--cutoff) or the weak form (--bump).
     EquationError,
+    /// The seed paper's way: rates by an observer or a filter, smoothed by means and differenced, and each coordinate's equation fitted on its
+    /// own, by the parameters that act in it and that no equation before has told (--derivative, --bandwidth, --mean).
+    Channels,
     /// What each sample says beyond those before it, seen through a Kalman filter: for rigs that random forces drive, or that a controller
     /// holds.
     Innovations,
+}
+
+/// Where rates come from.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Derivative {
+    /// Luenberger observer: chain of three integrators with poles -w, w (-0.6 +- 0.8 i).
+    Observer,
+    /// The derivative filter of the paper's eq. 23 with damping 0.9.
+    Filter,
 }
 
 /// A frequency in hertz, with or without its unit.
@@ -112,6 +124,15 @@ pub struct Identify {
     /// Equation error in weak form: samples of a test function.
     #[arg(long, value_name = "SAMPLES", default_value_t = 40, conflicts_with = "cutoff")]
     pub bump: usize,
+    /// Channels: where rates come from.
+    #[arg(long, value_enum, default_value = "observer")]
+    pub derivative: Derivative,
+    /// Channels: bandwidth w of the observer or filter [rad/s].
+    #[arg(long, value_name = "RAD/S", default_value_t = 60.0)]
+    pub bandwidth: f64,
+    /// Channels: samples of the means that smooth rates and accelerations.
+    #[arg(long, value_name = "N", default_value_t = 60)]
+    pub mean: usize,
     /// What logged inputs do between samples.
     #[arg(long, value_enum, default_value = "zero")]
     pub hold: Hold,

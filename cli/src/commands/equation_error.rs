@@ -1,14 +1,14 @@
-//! `rig identify --method equation-error`: estimates without a run of the model, judged by its free runs all the same.
+//! `rig identify --method equation-error` and `--method channels`: estimates without a run of the model, judged by its free runs all the same.
 
 use super::identify::{each, estimates, followed, horizons, paths, report};
-use crate::args::Identify;
+use crate::args::{Derivative, Identify, Method};
 use crate::failure::Failure;
 use crate::output::{Answer, number};
 use crate::pages::{
     self,
     identify::{Identified, lay},
 };
-use ident::fit::{EquationErrorFit, ParameterSpec, Preparation, RecordFigures, equation_error, figures};
+use ident::fit::{EquationErrorFit, ParameterSpec, Preparation, RatesBy, RecordFigures, channel_by_channel, equation_error, figures};
 use ident::record::Record;
 use runtime::Model;
 use serde_json::{Value, json};
@@ -21,12 +21,21 @@ pub fn run(
     specs: &[ParameterSpec],
     (records, tests): (&[Record], &[Record]),
 ) -> Result<Answer, Failure> {
+    let (w, channels) = (args.bandwidth, args.method == Method::Channels);
     let preparation = match args.cutoff {
+        _ if channels => {
+            let rates = match args.derivative {
+                Derivative::Observer => RatesBy::Observer { bandwidth: w },
+                Derivative::Filter => RatesBy::Filter { bandwidth: w, damping: 0.9 },
+            };
+            Preparation::Observed { rates, mean: args.mean }
+        }
         Some(cutoff) => Preparation::Filtered { cutoff, order: args.order, decimate: args.decimate },
         None => Preparation::WeakForm { window: args.bump },
     };
     let failed = |e: ident::fit::FitError| Failure::new("C0504", e.to_string());
-    let fit = equation_error(model, specs, records, preparation, args.hold.into()).map_err(failed)?;
+    let way = if channels { channel_by_channel } else { equation_error };
+    let fit = way(model, specs, records, preparation, args.hold.into()).map_err(failed)?;
     let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
     // parameters of the day stay at their starting values on records that were not fitted
     let mut shared = nominal.clone();
@@ -48,6 +57,10 @@ pub fn run(
             "derivatives by central differences behind a zero-phase Butterworth filter of order {order} at {} Hz, every {decimate}. equation",
             number(cutoff)
         ),
+        Preparation::Observed { rates, mean } => {
+            let by = if matches!(rates, RatesBy::Observer { .. }) { "an observer" } else { "the filter of eq. 23" };
+            format!("channel by channel; rates by {by} of {} rad/s, means of {mean} samples", number(w))
+        }
         Preparation::WeakForm { window } => format!("weak form, test functions of {window} samples"),
     };
     let mut answer = Answer { text: words(rig, &way, &fit, &judged), json: document(rig, &way, &fit, &judged) };

@@ -30,7 +30,7 @@ pub fn run(args: &Identify) -> Result<Answer, Failure> {
         return innovations::run(args, loaded, &specs, (&records, &tests));
     }
     let model = InProcess::at_work(load::equations(&loaded, Options::default())?);
-    if args.method == Method::EquationError {
+    if matches!(args.method, Method::EquationError | Method::Channels) {
         return equation_error::run(args, &loaded.rig.name, &model, &specs, (&records, &tests));
     }
     let initial = args.rates.map(|rates| InitialStates { coordinates: Known::Prior, rates: rates.into() });

@@ -18,7 +18,8 @@ use super::objective::Rows;
 use super::options::FitOptions;
 use super::specification::ParameterSpec;
 use crate::record::Record;
-use nalgebra::{DMatrix, DVector};
+use control::{AngleObserver, DerivativeFilter, Rule, Running, centred_mean};
+use nalgebra::{Complex, DMatrix, DVector};
 use runtime::Model;
 use sim::Hold;
 
@@ -39,6 +40,66 @@ pub enum Preparation {
         /// Every n-th equation is kept.
         decimate: usize,
     },
+    /// The seed paper's way: rates by an observer or a filter as it could run on the rig, smoothed by a centred mean,
+    /// differenced, and both sides of the equations smoothed by that mean again.
+    Observed {
+        /// Where rates come from.
+        rates: RatesBy,
+        /// Samples of the mean.
+        mean: usize,
+    },
+}
+
+/// Where rates come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RatesBy {
+    /// Luenberger observer of a chain of three integrators with poles -w and w (-0.6 +- 0.8 i).
+    Observer {
+        /// w [rad/s].
+        bandwidth: f64,
+    },
+    /// The filter of eq. 23, F(s) = w^2 s/(s^2 + 2 eta w s + w^2), for a held input.
+    Filter {
+        /// w [rad/s].
+        bandwidth: f64,
+        /// eta.
+        damping: f64,
+    },
+}
+
+impl RatesBy {
+    /// w [rad/s].
+    fn bandwidth(self) -> f64 {
+        match self {
+            Self::Observer { bandwidth } | Self::Filter { bandwidth, .. } => bandwidth,
+        }
+    }
+
+    /// Rates of a sampled coordinate; `None` where they cannot be sampled at this period [s].
+    fn of(self, q: &[f64], period: f64) -> Option<Vec<f64>> {
+        let sampled = match self {
+            Self::Observer { bandwidth } => {
+                let (w, side) = (Complex::new(-bandwidth, 0.0), Complex::new(-0.6 * bandwidth, 0.8 * bandwidth));
+                AngleObserver::new(&[w, side, side.conj()]).sampled(1, period)
+            }
+            Self::Filter { bandwidth, damping } => DerivativeFilter { omega: bandwidth, damping }.sampled(period, Rule::ZeroOrderHold),
+        };
+        let mut running = Running::new(sampled.ok()?);
+        let rates: Vec<f64> = q.iter().map(|q| running.next(*q)).collect();
+        rates.iter().all(|v| v.is_finite()).then_some(rates)
+    }
+
+    /// A signal as late as the rates are, and smoothed as they are: the rate of its integral.
+    fn late(self, signal: &[f64], period: f64, mean: usize) -> Option<Vec<f64>> {
+        let mut sum = 0.0;
+        let integral: Vec<f64> = std::iter::once(0.0)
+            .chain(signal.windows(2).map(|w| {
+                sum += 0.5 * period * (w[0] + w[1]);
+                sum
+            }))
+            .collect();
+        Some(centred_mean(&self.of(&integral, period)?, mean))
+    }
 }
 
 /// Estimates from equation error.
@@ -68,13 +129,102 @@ pub fn equation_error(
     hold: Hold,
 ) -> Result<EquationErrorFit, FitError> {
     check(model, specs, records, &FitOptions::default())?;
-    if let Preparation::Filtered { cutoff, .. } = preparation
-        && !(cutoff > 0.0 && cutoff.is_finite())
-    {
-        return Err(FitError::NotPositive { what: "the cut-off".to_owned(), value: cutoff });
-    }
+    positive(preparation)?;
     let data = records.iter().map(|r| Data::new(r, model, hold)).collect::<Result<Vec<_>, _>>()?;
     fit(model, specs, &data, preparation)
+}
+
+/// Fits one coordinate's equation after the other, each by the parameters that act in it and that no equation before has told: the way of
+/// the seed paper.
+///
+/// # Errors
+/// As [`equation_error`].
+pub fn channel_by_channel(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    records: &[Record],
+    preparation: Preparation,
+    hold: Hold,
+) -> Result<EquationErrorFit, FitError> {
+    check(model, specs, records, &FitOptions::default())?;
+    positive(preparation)?;
+    let data = records.iter().map(|r| Data::new(r, model, hold)).collect::<Result<Vec<_>, _>>()?;
+    let mut left = specs.to_vec();
+    let mut found: Vec<Estimate> = Vec::new();
+    let (mut evaluations, mut ending) = (0, Ending::Exact);
+    for channel in 0..model.dimensions().coordinates {
+        let acting = acting(model, &left, &data, preparation, channel)?;
+        if acting.is_empty() {
+            continue;
+        }
+        let own: Vec<ParameterSpec> =
+            left.iter().enumerate().map(|(i, s)| ParameterSpec { free: acting.contains(&i), per_record: false, ..s.clone() }).collect();
+        let (problem, minimum) = solve(model, &own, &data, (preparation, Some(channel)), &Limits::default())?;
+        let estimates = problem.estimates(&minimum, &data)?;
+        evaluations += problem.evaluations;
+        if !minimum.ending.converged() || ending == Ending::Exact {
+            ending = minimum.ending;
+        }
+        for e in estimates {
+            for s in left.iter_mut().filter(|s| s.name == e.name) {
+                (s.value, s.free) = (e.value, false);
+            }
+            found.push(Estimate { initial: specs.iter().find(|s| s.name == e.name).map_or(e.initial, |s| s.value), ..e });
+        }
+    }
+    // what acts in no equation stays as it is, and is not told
+    let p: Vec<f64> = left.iter().map(|s| s.value).collect();
+    for (i, s) in left.iter().enumerate().filter(|(_, s)| s.free) {
+        let unit = model.names().parameter_unit(i).to_owned();
+        let none = Estimate {
+            name: s.name.clone(),
+            record: None,
+            unit,
+            value: s.value,
+            std_error: None,
+            ci95: None,
+            initial: s.value,
+            at_bound: false,
+        };
+        found.push(none);
+    }
+    found.sort_by_key(|e| specs.iter().position(|s| s.name == e.name));
+    let fixed: Vec<ParameterSpec> = left.iter().map(|s| ParameterSpec { free: false, ..s.clone() }).collect();
+    let (problem, _) = solve(model, &fixed, &data, (preparation, None), &Limits::default())?;
+    let error_percent = problem.rows(&[]).1;
+    Ok(EquationErrorFit { parameters: found, p_of_record: vec![p; data.len()], error_percent, ending, evaluations })
+}
+
+/// Free parameters that act in a coordinate's equation.
+fn acting(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    data: &[Data],
+    preparation: Preparation,
+    channel: usize,
+) -> Result<Vec<usize>, FitError> {
+    let (problem, start) = pose(model, specs, data, preparation, None)?;
+    let (n, m) = (problem.weights.len(), problem.parameters.len());
+    let mut acts = vec![false; m];
+    for r in 0..problem.records.len() {
+        let equations = problem.equations(&start, r).ok_or_else(singular)?;
+        for slopes in equations.slopes.chunks(m.max(1)).skip(channel).step_by(n) {
+            acts.iter_mut().zip(slopes).for_each(|(acts, s)| *acts |= *s != 0.0);
+        }
+    }
+    Ok(problem.parameters.iter().zip(acts).filter(|(_, acts)| *acts).map(|(i, _)| *i).collect())
+}
+
+fn positive(preparation: Preparation) -> Result<(), FitError> {
+    let (what, value) = match preparation {
+        Preparation::WeakForm { .. } => return Ok(()),
+        Preparation::Filtered { cutoff, .. } => ("the cut-off", cutoff),
+        Preparation::Observed { rates: RatesBy::Filter { damping, .. }, .. } if !(damping > 0.0 && damping.is_finite()) => {
+            ("the damping of the filter", damping)
+        }
+        Preparation::Observed { rates, .. } => ("the bandwidth", rates.bandwidth()),
+    };
+    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(FitError::NotPositive { what: what.to_owned(), value }) }
 }
 
 /// As [`equation_error`], for records that are bound already.
@@ -84,34 +234,11 @@ pub(crate) fn fit(
     data: &[Data],
     preparation: Preparation,
 ) -> Result<EquationErrorFit, FitError> {
-    let (problem, found) = solve(model, specs, data, preparation, &Limits::default())?;
-    let at = found.at.as_ref().ok_or_else(singular)?;
-    let (rows, error_percent) = problem.rows(&found.x);
-    let held: Vec<bool> =
-        problem.unknowns.iter().zip(&found.x).map(|(&(i, _), &x)| specs[i].bounds.is_some_and(|(lo, hi)| x <= lo || x >= hi)).collect();
-    let cov = covariance::covariance(&rows, &at.normal, &held);
-    let parameters = problem
-        .unknowns
-        .iter()
-        .enumerate()
-        .map(|(k, &(i, record))| {
-            let std_error = cov.told[k].then(|| cov.matrix[(k, k)].max(0.0).sqrt());
-            Estimate {
-                name: specs[i].name.clone(),
-                record: record.map(|r| data[r].source.clone()),
-                unit: model.names().parameter_unit(i).to_owned(),
-                value: found.x[k],
-                std_error,
-                ci95: std_error.map(|s| (found.x[k] - cov.factor * s, found.x[k] + cov.factor * s)),
-                initial: specs[i].value,
-                at_bound: held[k],
-            }
-        })
-        .collect();
+    let (problem, found) = solve(model, specs, data, (preparation, None), &Limits::default())?;
     Ok(EquationErrorFit {
-        parameters,
+        parameters: problem.estimates(&found, data)?,
         p_of_record: (0..data.len()).map(|r| problem.parameters_of(&found.x, r)).collect(),
-        error_percent,
+        error_percent: problem.rows(&found.x).1,
         ending: found.ending,
         evaluations: problem.evaluations,
     })
@@ -126,7 +253,7 @@ pub(crate) fn unexplained(
     preparation: Preparation,
     limits: &Limits,
 ) -> Result<(ErrorPercent, Vec<f64>), FitError> {
-    let (problem, found) = solve(model, specs, data, preparation, limits)?;
+    let (problem, found) = solve(model, specs, data, (preparation, None), limits)?;
     found.at.as_ref().ok_or_else(singular)?;
     Ok((problem.rows(&found.x).1, problem.parameters_of(&found.x, 0)))
 }
@@ -142,9 +269,28 @@ fn solve<'a>(
     model: &'a dyn Model,
     specs: &'a [ParameterSpec],
     data: &[Data],
-    preparation: Preparation,
+    (preparation, channel): (Preparation, Option<usize>),
     limits: &Limits,
 ) -> Result<(EquationError<'a>, Minimum), FitError> {
+    let (mut problem, start) = pose(model, specs, data, preparation, channel)?;
+    problem.weigh(&start, true);
+    let mut found = LevenbergMarquardt.minimize(&mut problem, &start, limits);
+    // each equation by its own error, once the parameters are about right
+    for _ in 0..3 {
+        problem.weigh(&found.x, false);
+        found = LevenbergMarquardt.minimize(&mut problem, &found.x, limits);
+    }
+    Ok((problem, found))
+}
+
+/// The problem, all equations or that of one coordinate, and where its search starts.
+fn pose<'a>(
+    model: &'a dyn Model,
+    specs: &'a [ParameterSpec],
+    data: &[Data],
+    preparation: Preparation,
+    channel: Option<usize>,
+) -> Result<(EquationError<'a>, Vec<f64>), FitError> {
     let base: Vec<f64> = specs.iter().map(|s| s.value).collect();
     let records = data.iter().map(|d| Samples::new(model, &base, d, preparation)).collect::<Result<Vec<_>, _>>()?;
     let mut unknowns = Vec::new();
@@ -160,16 +306,10 @@ fn solve<'a>(
         }
     }
     let n = model.dimensions().coordinates;
-    let mut problem = EquationError { model, specs, base, records, unknowns, columns, parameters, weights: vec![1.0; n], evaluations: 0 };
+    let weights = vec![1.0; n];
+    let problem = EquationError { model, specs, base, records, unknowns, columns, parameters, channel, weights, evaluations: 0 };
     let start: Vec<f64> = problem.unknowns.iter().map(|&(i, _)| specs[i].value).collect();
-    problem.weigh(&start, true);
-    let mut found = LevenbergMarquardt.minimize(&mut problem, &start, limits);
-    // each equation by its own error, once the parameters are about right
-    for _ in 0..3 {
-        problem.weigh(&found.x, false);
-        found = LevenbergMarquardt.minimize(&mut problem, &found.x, limits);
-    }
-    Ok((problem, found))
+    Ok((problem, start))
 }
 
 /// Measured motion and the functionals that make equations of it.
@@ -196,6 +336,13 @@ enum Functional {
         /// Samples at both ends, where the smoothing had the mirrored record on one side, that make no equation.
         ends: usize,
     },
+    /// Centred mean, without the samples at both ends that have no full one, or where an observer still settles.
+    Mean {
+        /// Samples of the mean.
+        mean: usize,
+        /// Samples at both ends that make no equation.
+        ends: usize,
+    },
 }
 
 impl Samples {
@@ -214,12 +361,28 @@ impl Samples {
                 left = bumps.iter().flat_map(|b| q.iter().map(|q| b.second.iter().zip(&q[b.first..]).map(|(w, q)| w * q).sum())).collect();
                 functional = Functional::Bumps(bumps.into_iter().map(|b| (b.first, b.weights)).collect());
             }
-            Preparation::Filtered { cutoff, order, decimate } => {
-                if let Some(k) = t.windows(2).position(|w| ((w[1] - w[0]) / period - 1.0).abs() > 0.01) {
+            Preparation::Observed { rates, mean } => {
+                constant_rate(data, period)?;
+                let mean = mean.max(1);
+                if count <= 4 * mean + 4 {
                     return Err(FitError::EquationError {
-                        why: format!("{}: filtering needs a constant rate, the step after {} s is another", data.source, t[k]),
+                        why: format!("{}: {count} samples are too few for means of {mean} of them", data.source),
                     });
                 }
+                let fast = || FitError::EquationError {
+                    why: format!("{}: a bandwidth of {} rad/s cannot be sampled every {period} s", data.source, rates.bandwidth()),
+                };
+                let raw = q.iter().map(|q| rates.of(q, period)).collect::<Option<Vec<_>>>().ok_or_else(fast)?;
+                v = raw.iter().map(|v| centred_mean(v, mean)).collect::<Vec<_>>();
+                // what is late and smoothed on one side of the equations is so on the other
+                q = q.iter().map(|q| rates.late(q, period, mean)).collect::<Option<Vec<_>>>().ok_or_else(fast)?;
+                let settling = (8.0 / (rates.bandwidth() * period)).ceil() as usize;
+                functional = Functional::Mean { mean, ends: (2 * mean + settling).min((count - 4) / 2) };
+                let kept: Vec<Vec<f64>> = v.iter().map(|v| functional.filtered(&differences(v, period))).collect();
+                left = (0..kept.first().map_or(0, Vec::len)).flat_map(|k| kept.iter().map(move |a| a[k])).collect();
+            }
+            Preparation::Filtered { cutoff, order, decimate } => {
+                constant_rate(data, period)?;
                 if cutoff * period >= 0.5 {
                     let half = 0.5 / period;
                     return Err(FitError::EquationError {
@@ -256,6 +419,14 @@ impl Samples {
             }
             signals.extend(u);
         }
+        if let Preparation::Observed { rates, mean } = preparation {
+            let width = model.dimensions().signals();
+            for i in 0..width {
+                let own: Vec<f64> = signals.iter().skip(i).step_by(width).copied().collect();
+                let late = rates.late(&own, period, mean).unwrap_or(own);
+                signals.iter_mut().skip(i).step_by(width).zip(late).for_each(|(u, late)| *u = late);
+            }
+        }
         debug_assert_eq!(n, q.len());
         Ok(Self { times: t.clone(), motion, signals, left, functional })
     }
@@ -265,12 +436,22 @@ impl Functional {
     fn filtered(&self, series: &[f64]) -> Vec<f64> {
         match self {
             Self::Bumps(bumps) => bumps.iter().map(|(first, w)| w.iter().zip(&series[*first..]).map(|(w, s)| w * s).sum()).collect(),
+            Self::Mean { mean, ends } => centred_mean(&series[*ends..series.len() - ends], *mean),
             Self::Filter { filter, every, extension, ends } => {
                 let inside = &series[*ends..series.len() - ends];
                 let smooth = filter.as_ref().map_or_else(|| inside.to_vec(), |f| f.zero_phase(inside, *extension));
                 smooth.into_iter().step_by(*every).collect()
             }
         }
+    }
+}
+
+fn constant_rate(data: &Data, period: f64) -> Result<(), FitError> {
+    match data.times.windows(2).position(|w| ((w[1] - w[0]) / period - 1.0).abs() > 0.01) {
+        None => Ok(()),
+        Some(k) => Err(FitError::EquationError {
+            why: format!("{}: filtering needs a constant rate, the step after {} s is another", data.source, data.times[k]),
+        }),
     }
 }
 
@@ -326,6 +507,8 @@ struct EquationError<'a> {
     unknowns: Vec<(usize, Option<usize>)>,
     columns: Vec<Vec<usize>>,
     parameters: Vec<usize>,
+    /// The only coordinate whose equation counts.
+    channel: Option<usize>,
     /// 1 / scale of each coordinate's equations.
     weights: Vec<f64>,
     evaluations: usize,
@@ -340,6 +523,28 @@ struct Equations {
 }
 
 impl EquationError<'_> {
+    fn estimates(&self, found: &Minimum, data: &[Data]) -> Result<Vec<Estimate>, FitError> {
+        let at = found.at.as_ref().ok_or_else(singular)?;
+        let (rows, _) = self.rows(&found.x);
+        let within = |(&(i, _), &x): (&(usize, Option<usize>), &f64)| self.specs[i].bounds.is_some_and(|(lo, hi)| x <= lo || x >= hi);
+        let held: Vec<bool> = self.unknowns.iter().zip(&found.x).map(within).collect();
+        let cov = covariance::covariance(&rows, &at.normal, &held);
+        let estimate = |(k, &(i, record)): (usize, &(usize, Option<usize>))| {
+            let std_error = cov.told[k].then(|| cov.matrix[(k, k)].max(0.0).sqrt());
+            Estimate {
+                name: self.specs[i].name.clone(),
+                record: record.map(|r| data[r].source.clone()),
+                unit: self.model.names().parameter_unit(i).to_owned(),
+                value: found.x[k],
+                std_error,
+                ci95: std_error.map(|s| (found.x[k] - cov.factor * s, found.x[k] + cov.factor * s)),
+                initial: self.specs[i].value,
+                at_bound: held[k],
+            }
+        };
+        Ok(self.unknowns.iter().enumerate().map(estimate).collect())
+    }
+
     fn parameters_of(&self, theta: &[f64], record: usize) -> Vec<f64> {
         let mut p = self.base.clone();
         for (&(i, of), &value) in self.unknowns.iter().zip(theta) {
@@ -414,7 +619,8 @@ impl EquationError<'_> {
             let scale = |s: f64| (s / count.max(1) as f64).sqrt();
             let floor = 1e-9 * scale(left[i]);
             let of = if first { scale(left[i]) } else { scale(squares[i]) };
-            self.weights[i] = 1.0 / of.max(floor).max(f64::MIN_POSITIVE.sqrt());
+            let counts = self.channel.is_none_or(|only| only == i);
+            self.weights[i] = if counts { 1.0 / of.max(floor).max(f64::MIN_POSITIVE.sqrt()) } else { 0.0 };
         }
     }
 
