@@ -16,10 +16,11 @@ use super::filter::{Butterworth, rates};
 use super::minimize::{Ending, Evaluation, LevenbergMarquardt, Limits, Minimizer, Minimum, Objective};
 use super::objective::Rows;
 use super::options::FitOptions;
+use super::rates_by::RatesBy;
 use super::specification::ParameterSpec;
 use crate::record::Record;
-use control::{AngleObserver, DerivativeFilter, Rule, Running, centred_mean};
-use nalgebra::{Complex, DMatrix, DVector};
+use control::centred_mean;
+use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 use sim::Hold;
 
@@ -48,58 +49,6 @@ pub enum Preparation {
         /// Samples of the mean.
         mean: usize,
     },
-}
-
-/// Where rates come from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum RatesBy {
-    /// Luenberger observer of a chain of three integrators with poles -w and w (-0.6 +- 0.8 i).
-    Observer {
-        /// w [rad/s].
-        bandwidth: f64,
-    },
-    /// The filter of eq. 23, F(s) = w^2 s/(s^2 + 2 eta w s + w^2), for a held input.
-    Filter {
-        /// w [rad/s].
-        bandwidth: f64,
-        /// eta.
-        damping: f64,
-    },
-}
-
-impl RatesBy {
-    /// w [rad/s].
-    fn bandwidth(self) -> f64 {
-        match self {
-            Self::Observer { bandwidth } | Self::Filter { bandwidth, .. } => bandwidth,
-        }
-    }
-
-    /// Rates of a sampled coordinate; `None` where they cannot be sampled at this period [s].
-    fn of(self, q: &[f64], period: f64) -> Option<Vec<f64>> {
-        let sampled = match self {
-            Self::Observer { bandwidth } => {
-                let (w, side) = (Complex::new(-bandwidth, 0.0), Complex::new(-0.6 * bandwidth, 0.8 * bandwidth));
-                AngleObserver::new(&[w, side, side.conj()]).sampled(1, period)
-            }
-            Self::Filter { bandwidth, damping } => DerivativeFilter { omega: bandwidth, damping }.sampled(period, Rule::ZeroOrderHold),
-        };
-        let mut running = Running::new(sampled.ok()?);
-        let rates: Vec<f64> = q.iter().map(|q| running.next(*q)).collect();
-        rates.iter().all(|v| v.is_finite()).then_some(rates)
-    }
-
-    /// A signal as late as the rates are, and smoothed as they are: the rate of its integral.
-    fn late(self, signal: &[f64], period: f64, mean: usize) -> Option<Vec<f64>> {
-        let mut sum = 0.0;
-        let integral: Vec<f64> = std::iter::once(0.0)
-            .chain(signal.windows(2).map(|w| {
-                sum += 0.5 * period * (w[0] + w[1]);
-                sum
-            }))
-            .collect();
-        Some(centred_mean(&self.of(&integral, period)?, mean))
-    }
 }
 
 /// Estimates from equation error.
@@ -134,88 +83,8 @@ pub fn equation_error(
     fit(model, specs, &data, preparation)
 }
 
-/// Fits one coordinate's equation after the other, each by the parameters that act in it and that no equation before has told: the way of
-/// the seed paper.
-///
-/// # Errors
-/// As [`equation_error`].
-pub fn channel_by_channel(
-    model: &dyn Model,
-    specs: &[ParameterSpec],
-    records: &[Record],
-    preparation: Preparation,
-    hold: Hold,
-) -> Result<EquationErrorFit, FitError> {
-    check(model, specs, records, &FitOptions::default())?;
-    positive(preparation)?;
-    let data = records.iter().map(|r| Data::new(r, model, hold)).collect::<Result<Vec<_>, _>>()?;
-    let mut left = specs.to_vec();
-    let mut found: Vec<Estimate> = Vec::new();
-    let (mut evaluations, mut ending) = (0, Ending::Exact);
-    for channel in 0..model.dimensions().coordinates {
-        let acting = acting(model, &left, &data, preparation, channel)?;
-        if acting.is_empty() {
-            continue;
-        }
-        let own: Vec<ParameterSpec> =
-            left.iter().enumerate().map(|(i, s)| ParameterSpec { free: acting.contains(&i), per_record: false, ..s.clone() }).collect();
-        let (problem, minimum) = solve(model, &own, &data, (preparation, Some(channel)), &Limits::default())?;
-        let estimates = problem.estimates(&minimum, &data)?;
-        evaluations += problem.evaluations;
-        if !minimum.ending.converged() || ending == Ending::Exact {
-            ending = minimum.ending;
-        }
-        for e in estimates {
-            for s in left.iter_mut().filter(|s| s.name == e.name) {
-                (s.value, s.free) = (e.value, false);
-            }
-            found.push(Estimate { initial: specs.iter().find(|s| s.name == e.name).map_or(e.initial, |s| s.value), ..e });
-        }
-    }
-    // what acts in no equation stays as it is, and is not told
-    let p: Vec<f64> = left.iter().map(|s| s.value).collect();
-    for (i, s) in left.iter().enumerate().filter(|(_, s)| s.free) {
-        let unit = model.names().parameter_unit(i).to_owned();
-        let none = Estimate {
-            name: s.name.clone(),
-            record: None,
-            unit,
-            value: s.value,
-            std_error: None,
-            ci95: None,
-            initial: s.value,
-            at_bound: false,
-        };
-        found.push(none);
-    }
-    found.sort_by_key(|e| specs.iter().position(|s| s.name == e.name));
-    let fixed: Vec<ParameterSpec> = left.iter().map(|s| ParameterSpec { free: false, ..s.clone() }).collect();
-    let (problem, _) = solve(model, &fixed, &data, (preparation, None), &Limits::default())?;
-    let error_percent = problem.rows(&[]).1;
-    Ok(EquationErrorFit { parameters: found, p_of_record: vec![p; data.len()], error_percent, ending, evaluations })
-}
-
-/// Free parameters that act in a coordinate's equation.
-fn acting(
-    model: &dyn Model,
-    specs: &[ParameterSpec],
-    data: &[Data],
-    preparation: Preparation,
-    channel: usize,
-) -> Result<Vec<usize>, FitError> {
-    let (problem, start) = pose(model, specs, data, preparation, None)?;
-    let (n, m) = (problem.weights.len(), problem.parameters.len());
-    let mut acts = vec![false; m];
-    for r in 0..problem.records.len() {
-        let equations = problem.equations(&start, r).ok_or_else(singular)?;
-        for slopes in equations.slopes.chunks(m.max(1)).skip(channel).step_by(n) {
-            acts.iter_mut().zip(slopes).for_each(|(acts, s)| *acts |= *s != 0.0);
-        }
-    }
-    Ok(problem.parameters.iter().zip(acts).filter(|(_, acts)| *acts).map(|(i, _)| *i).collect())
-}
-
-fn positive(preparation: Preparation) -> Result<(), FitError> {
+/// Numbers of a preparation that must be positive.
+pub(super) fn positive(preparation: Preparation) -> Result<(), FitError> {
     let (what, value) = match preparation {
         Preparation::WeakForm { .. } => return Ok(()),
         Preparation::Filtered { cutoff, .. } => ("the cut-off", cutoff),
@@ -261,11 +130,12 @@ pub(crate) fn unexplained(
 /// Name of a coordinate, and the error of its equation in percent of the measured side.
 pub(crate) type ErrorPercent = Vec<(String, f64)>;
 
-fn singular() -> FitError {
+pub(super) fn singular() -> FitError {
     FitError::EquationError { why: "the mass matrix is singular along the measured motion".to_owned() }
 }
 
-fn solve<'a>(
+/// The problem, all equations or that of one coordinate, and its minimum.
+pub(super) fn solve<'a>(
     model: &'a dyn Model,
     specs: &'a [ParameterSpec],
     data: &[Data],
@@ -284,7 +154,7 @@ fn solve<'a>(
 }
 
 /// The problem, all equations or that of one coordinate, and where its search starts.
-fn pose<'a>(
+pub(super) fn pose<'a>(
     model: &'a dyn Model,
     specs: &'a [ParameterSpec],
     data: &[Data],
@@ -313,7 +183,7 @@ fn pose<'a>(
 }
 
 /// Measured motion and the functionals that make equations of it.
-struct Samples {
+pub(super) struct Samples {
     times: Vec<f64>,
     /// Coordinates and rates, samples x 2 n.
     motion: Vec<f64>,
@@ -498,32 +368,32 @@ pub(crate) fn coordinates(model: &dyn Model, p: &[f64], data: &Data) -> Result<V
     Ok(q)
 }
 
-struct EquationError<'a> {
+pub(super) struct EquationError<'a> {
     model: &'a dyn Model,
     specs: &'a [ParameterSpec],
     base: Vec<f64>,
-    records: Vec<Samples>,
+    pub records: Vec<Samples>,
     /// (parameter, record).
     unknowns: Vec<(usize, Option<usize>)>,
     columns: Vec<Vec<usize>>,
-    parameters: Vec<usize>,
+    pub parameters: Vec<usize>,
     /// The only coordinate whose equation counts.
     channel: Option<usize>,
     /// 1 / scale of each coordinate's equations.
     weights: Vec<f64>,
-    evaluations: usize,
+    pub evaluations: usize,
 }
 
 /// Errors of one record's equations and their derivatives.
-struct Equations {
+pub(super) struct Equations {
     /// Equations x coordinates.
     errors: Vec<f64>,
     /// (Equations x coordinates) x parameters.
-    slopes: Vec<f64>,
+    pub slopes: Vec<f64>,
 }
 
 impl EquationError<'_> {
-    fn estimates(&self, found: &Minimum, data: &[Data]) -> Result<Vec<Estimate>, FitError> {
+    pub fn estimates(&self, found: &Minimum, data: &[Data]) -> Result<Vec<Estimate>, FitError> {
         let at = found.at.as_ref().ok_or_else(singular)?;
         let (rows, _) = self.rows(&found.x);
         let within = |(&(i, _), &x): (&(usize, Option<usize>), &f64)| self.specs[i].bounds.is_some_and(|(lo, hi)| x <= lo || x >= hi);
@@ -556,7 +426,7 @@ impl EquationError<'_> {
     }
 
     /// Accelerations and derivatives at all samples, then through the functional. `None` where the model is singular.
-    fn equations(&self, theta: &[f64], record: usize) -> Option<Equations> {
+    pub fn equations(&self, theta: &[f64], record: usize) -> Option<Equations> {
         let d = self.model.dimensions();
         let (n, states, m, signals) = (d.coordinates, d.states(), self.parameters.len(), d.signals());
         let samples = &self.records[record];
@@ -625,7 +495,7 @@ impl EquationError<'_> {
     }
 
     /// For the covariance, and the errors in percent of the measured side.
-    fn rows(&self, theta: &[f64]) -> (Vec<Rows>, Vec<(String, f64)>) {
+    pub fn rows(&self, theta: &[f64]) -> (Vec<Rows>, Vec<(String, f64)>) {
         let n = self.weights.len();
         let m = self.parameters.len();
         let (mut squares, mut left) = (vec![0.0; n], vec![0.0; n]);
