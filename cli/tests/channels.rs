@@ -5,7 +5,8 @@ use std::process::{Command, Output};
 
 fn rig(more: &[&str]) -> Output {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..");
-    let base = ["identify", "examples/rigs/googol_identified.rig", "--data", "examples/records/simulated_steps.csv", "--method", "channels"];
+    let base =
+        ["identify", "examples/rigs/googol_identified.rig", "--data", "examples/records/simulated_steps.csv", "--method", "channels"];
     Command::new(env!("CARGO_BIN_EXE_rig")).current_dir(root).args(base).args(more).output().expect("the program starts")
 }
 
