@@ -2,6 +2,7 @@
 
 use crate::base_fit::{Fitted, from_first_halves, middle};
 use crate::chance::{beyond, variance_of_sum};
+use crate::effects::Edit;
 use crate::error::DiagnoseError;
 use crate::figures::{self, NONE, predictions};
 use crate::model::{Included, Prepared};
@@ -199,6 +200,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     // where what is there is no larger than noise makes it, there is no gap to close
     let gaps: Vec<&Weighed> = weighed.iter().filter(|w| w.before > NONE * w.floor).collect();
     // what an instrument does may drown in what pushes the rig meanwhile: from one sample to the next it does not
+    let instrument = tried.included.last().is_some_and(|i| matches!(i.effect.edit, Edit::Output { .. }));
     let at_once = || {
         let period = bench.held.iter().map(period).fold(f64::INFINITY, f64::min);
         let (_, p_test) =
@@ -208,7 +210,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         let each = weigh(&before, &of(tried.fitted.judged(&tried.prepared), &p_later), period);
         each.iter().any(Weighed::closes)
     };
-    if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !at_once() {
+    if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !(instrument && at_once()) {
         return refuse(Refusal::Small(gaps.iter().map(|w| w.closed()).fold(f64::NEG_INFINITY, f64::max)), gain);
     }
     if weighed.iter().any(Weighed::worse) || error_ratio > WORSE {
