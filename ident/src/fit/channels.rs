@@ -1,22 +1,20 @@
 //! Equation error channel by channel, as the seed paper fits (its section 2.2).
 
 use super::answer::Estimate;
-use super::build::check;
 use super::data::Data;
-use super::equation_error::{EquationErrorFit, Preparation, pose, positive, singular, solve};
+use super::equation_error::{EquationErrorFit, Preparation, bound, pose, singular, solve};
 use super::error::FitError;
 use super::minimize::{Ending, Limits};
-use super::options::FitOptions;
 use super::specification::ParameterSpec;
 use crate::record::Record;
 use runtime::Model;
 use sim::Hold;
 
 /// Fits one coordinate's equation after the other, each by the parameters that act in it and that no equation before has told: the way of
-/// the seed paper.
+/// the seed paper, section 2.2. Parameters of the day are fitted as one value for all records.
 ///
 /// # Errors
-/// As [`equation_error`].
+/// As [`super::equation_error()`].
 pub fn channel_by_channel(
     model: &dyn Model,
     specs: &[ParameterSpec],
@@ -24,9 +22,7 @@ pub fn channel_by_channel(
     preparation: Preparation,
     hold: Hold,
 ) -> Result<EquationErrorFit, FitError> {
-    check(model, specs, records, &FitOptions::default())?;
-    positive(preparation)?;
-    let data = records.iter().map(|r| Data::new(r, model, hold)).collect::<Result<Vec<_>, _>>()?;
+    let data = bound(model, specs, records, preparation, hold)?;
     let mut left = specs.to_vec();
     let mut found: Vec<Estimate> = Vec::new();
     let (mut evaluations, mut ending) = (0, Ending::Exact);

@@ -77,14 +77,24 @@ pub fn equation_error(
     preparation: Preparation,
     hold: Hold,
 ) -> Result<EquationErrorFit, FitError> {
+    fit(model, specs, &bound(model, specs, records, preparation, hold)?, preparation)
+}
+
+/// Records bound to the model, the request being checked.
+pub(super) fn bound(
+    model: &dyn Model,
+    specs: &[ParameterSpec],
+    records: &[Record],
+    preparation: Preparation,
+    hold: Hold,
+) -> Result<Vec<Data>, FitError> {
     check(model, specs, records, &FitOptions::default())?;
     positive(preparation)?;
-    let data = records.iter().map(|r| Data::new(r, model, hold)).collect::<Result<Vec<_>, _>>()?;
-    fit(model, specs, &data, preparation)
+    records.iter().map(|r| Data::new(r, model, hold)).collect()
 }
 
 /// Numbers of a preparation that must be positive.
-pub(super) fn positive(preparation: Preparation) -> Result<(), FitError> {
+fn positive(preparation: Preparation) -> Result<(), FitError> {
     let (what, value) = match preparation {
         Preparation::WeakForm { .. } => return Ok(()),
         Preparation::Filtered { cutoff, .. } => ("the cut-off", cutoff),
