@@ -9,6 +9,7 @@ use crate::model::{Included, Prepared};
 use crate::options::Options;
 use crate::shown::{Share, Way, share};
 use ident::innovations::{Ahead, Track};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
@@ -134,15 +135,18 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     // what belongs to the day is judged on the second half of every record, with what its first half says
     let (later, p_later) =
         if by_record { second_halves(bench, &tried.prepared, &tried.fitted) } else { (bench.held.to_vec(), tried.fitted.of_test.clone()) };
-    let after = predictions(figures::Judged { p_test: &p_later, ..tried.fitted.judged(&tried.prepared) }, &later, bench.horizon);
-    let weighed = if by_record {
+    let before = if by_record {
         let (_, p_test) = second_halves(bench, bench.prepared, bench.fitted);
-        let old = figures::Judged { p_test: &p_test, ..bench.fitted.judged(bench.prepared) };
-        weigh(&predictions(old, &later, bench.horizon), &after, bench.horizon)
+        Cow::Owned(predictions(figures::Judged { p_test: &p_test, ..bench.fitted.judged(bench.prepared) }, &later, bench.horizon))
     } else {
-        weigh(bench.before, &after, bench.horizon)
+        Cow::Borrowed(bench.before)
     };
-    let error_ratio = weighed.iter().map(Weighed::ratio).sum::<f64>() / weighed.len().max(1) as f64;
+    let new = figures::Judged { p_test: &p_later, ..tried.fitted.judged(&tried.prepared) };
+    let weighed = weigh(&before, &predictions(new, &later, bench.horizon), bench.horizon);
+    // from starts that filters of equal noise find: where it is another, errors differ for that alone
+    let alike = figures::Judged { noise: &bench.fitted.found.noise, ..new };
+    let alike = weigh(&before, &predictions(alike, &later, bench.horizon), bench.horizon);
+    let error_ratio = alike.iter().map(Weighed::ratio).sum::<f64>() / alike.len().max(1) as f64;
     let refuse = |why: Refusal, gain: (f64, f64)| Ok(Ruling { refused: Some(why), gain, error_ratio });
     let none = (0.0, f64::INFINITY);
     let own = tried.prepared.of_effect.last().cloned().unwrap_or_default();
@@ -213,7 +217,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !(instrument && at_once()) {
         return refuse(Refusal::Small(gaps.iter().map(|w| w.closed()).fold(f64::NEG_INFINITY, f64::max)), gain);
     }
-    if weighed.iter().any(Weighed::worse) || error_ratio > WORSE {
+    if alike.iter().any(Weighed::worse) || error_ratio > WORSE {
         return refuse(Refusal::Worse, gain);
     }
     Ok(Ruling { refused: None, gain, error_ratio })

@@ -59,7 +59,7 @@ pub struct EffectParameter {
 pub struct ShapeRange {
     /// Its value in the screening.
     pub at: f64,
-    /// Bounds of the fit.
+    /// Bounds of the fit; it is not fitted where they are equal.
     pub within: (f64, f64),
 }
 
@@ -280,6 +280,11 @@ pub(crate) fn at_most(most: f64, parameter: EffectParameter) -> EffectParameter 
 /// A number of an effect's shape.
 pub(crate) fn shape(name: &str, unit: String, at: f64, within: (f64, f64), doc: &str) -> EffectParameter {
     EffectParameter { shape: Some(ShapeRange { at, within }), ..parameter(name, unit, false, doc) }
+}
+
+/// A number of an effect's shape that is not the rig's but the equations': it is not fitted, and what it could do is no effect.
+pub(crate) fn crutch(name: &str, unit: String, at: f64, doc: &str) -> EffectParameter {
+    shape(name, unit, at, (at, at), doc)
 }
 
 /// A number as the language reads it, with few digits.

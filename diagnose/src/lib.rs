@@ -28,6 +28,7 @@ mod search;
 mod shapes;
 mod shown;
 mod strangers;
+mod swap;
 mod together;
 mod traces;
 mod verdict;

@@ -137,19 +137,41 @@ impl State {
         scales(&self.prepared, tracks, &self.fitted)
     }
 
-    /// The significant candidates that explain most, refitted in a hurry; the best first.
-    pub fn try_best(&self, ask: &Question<'_>, left: &[&Effect], round: &Round, tracks: &mut [Track], held: &[Track]) -> Vec<Tried> {
+    /// Candidates that are significant, by what is gained over what is spent.
+    pub fn speaking(&self, ask: &Question<'_>, left: &[&Effect], round: &Round) -> Vec<usize> {
         let options = ask.options;
         let scores = &round.scores[..left.len()];
-        let samples: usize = tracks.iter().map(|t| t.times().len()).sum();
-        // by what is gained over what is spent
-        let worth = |s: &Score| s.statistic - 2.0 * spent(s.degrees, samples);
+        let worth = |s: &Score| s.statistic - 2.0 * spent(s.degrees, self.fitted.found.samples);
         let speaks = |s: &Score| {
             let beyond_chance = if options.method.family { s.p_family < options.family } else { worth(s) > 0.0 };
             beyond_chance && (s.unique_fraction >= UNIQUE || !options.method.absorption)
         };
         let mut order: Vec<usize> = (0..left.len()).filter(|&i| speaks(&scores[i]) && !wrong_sign(left[i], &scores[i])).collect();
         order.sort_by(|&a, &b| worth(&scores[b]).total_cmp(&worth(&scores[a])));
+        order
+    }
+
+    /// The state with candidate `i`, refitted in a hurry from where the screening steps.
+    pub fn with(
+        &self,
+        ask: &Question<'_>,
+        left: &[&Effect],
+        round: &Round,
+        i: usize,
+        (tracks, held): (&mut [Track], &[Track]),
+    ) -> Option<Tried> {
+        let score = &round.scores[i];
+        let step: Vec<f64> = score.step.iter().map(|s| s.0).collect();
+        let mut included = self.accepted.clone();
+        included.push(include(left[i], &step, untold(score), tracks));
+        self.hurried(ask, included, i, &self.fitted, (tracks, held))
+    }
+
+    /// The significant candidates that explain most, refitted in a hurry; the best first.
+    pub fn try_best(&self, ask: &Question<'_>, left: &[&Effect], round: &Round, tracks: &mut [Track], held: &[Track]) -> Vec<Tried> {
+        let options = ask.options;
+        let scores = &round.scores[..left.len()];
+        let order = self.speaking(ask, left, round);
         // dry friction that holds a rig still does not show at its null value: tried from a finite one
         let level = self.fitted.found.noise.sd.clone();
         let dry: Vec<usize> = (0..left.len()).filter(|&i| left[i].id == "coulomb" && !order.contains(&i)).collect();
@@ -250,11 +272,7 @@ impl State {
     ) -> Result<(), DiagnoseError> {
         let scores = &round.scores[..left.len()];
         thorough(ask, t, (&mut *tracks, held));
-        let total = |tried: &Tried, noise: &Noise| -> Result<f64, DiagnoseError> {
-            let likelihoods = likelihoods(&tried.prepared, &tried.fitted, noise, held)?;
-            let of = |l: &Option<Vec<f64>>| l.as_ref().map_or(f64::NEG_INFINITY, |l| l.iter().sum());
-            Ok(tried.fitted.found.log_likelihood + likelihoods.iter().map(of).sum::<f64>())
-        };
+        let total = |tried: &Tried, noise: &Noise| total(&tried.prepared, &tried.fitted, noise, held);
         let mut rivals = vec![(t.index, total(t, &t.fitted.found.noise)?)];
         for i in std::mem::take(&mut t.equivalent) {
             let step: Vec<f64> = scores[i].step.iter().map(|s| s.0).collect();
@@ -294,8 +312,14 @@ fn loudest(scores: &[Score], seen: &[Seen<'_>], options: &Options<'_>) -> Option
     })
 }
 
+/// Log-likelihood of all records, that of the test records with this noise.
+pub(crate) fn total(prepared: &Prepared, fitted: &Fitted, noise: &Noise, held: &[Track]) -> Result<f64, DiagnoseError> {
+    let of = |l: &Option<Vec<f64>>| l.as_ref().map_or(f64::NEG_INFINITY, |l| l.iter().sum());
+    Ok(fitted.found.log_likelihood + likelihoods(prepared, fitted, noise, held)?.iter().map(of).sum::<f64>())
+}
+
 /// What parameters cost in log-likelihood (Schwarz, 1978).
-fn spent(degrees: usize, samples: usize) -> f64 {
+pub(crate) fn spent(degrees: usize, samples: usize) -> f64 {
     0.5 * degrees as f64 * (samples.max(1) as f64).ln()
 }
 

@@ -139,7 +139,10 @@ pub(crate) fn finish(
                     .effect
                     .parameters
                     .iter()
-                    .map(|p| finding.parameters.iter().find(|v| v.name == p.name).map_or((0.0, 0.0), |v| (v.value, v.sd)))
+                    .map(|p| {
+                        let found = finding.parameters.iter().find(|v| v.name == p.name);
+                        found.map_or((p.shape.map_or(0.0, |s| s.at), 0.0), |v| (v.value, v.sd))
+                    })
                     .collect();
                 Written { effect: &included.effect, values, evidence: Some(evidence), per_record: finding.per_record, screened: false }
             })

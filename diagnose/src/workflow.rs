@@ -17,6 +17,7 @@ use crate::quality::{ahead, integrates, look, mended, mistaken, stride, stride_o
 use crate::screen::{SAME, UNIQUE, cosine};
 use crate::search::{Question, Round, State, scales};
 use crate::strangers::strangers;
+use crate::swap::{Place, in_place_of};
 use crate::together::{Against, Passed, Refused, predicted, together};
 use crate::traces;
 use crate::verdict::{Rejected, finish};
@@ -168,6 +169,7 @@ pub fn diagnose(
     let mut unconfirmed: Option<State> = None;
     let mut left_over;
     let mut turn = 0;
+    let mut swaps = 0;
     loop {
         turn += 1;
         tell(&format!("screening {} candidates ..", effects.len()));
@@ -248,26 +250,47 @@ pub fn diagnose(
                 accepted = together(&ask, first, &against, &mut tracks)?;
             }
         }
-        let Some((state, passed)) = accepted else { break };
-        for one in passed {
-            let effect = &effects[one.effect];
-            tell(&format!("  accepted: {}", effect.title()));
-            answer.findings.push(Finding {
-                effect: effect.id.clone(),
-                place: effect.place.clone(),
-                shape: effect.shape.clone(),
-                parameters: Vec::new(),
-                equivalent: one.equivalent.iter().map(|&i| (effects[i].id.clone(), effects[i].place.clone())).collect(),
-                p_value: one.p_family,
-                heldout_gain: one.verdict.gain,
-                error_ratio: one.error_ratio,
-                per_record: effect.by_record,
-            });
+        let last = accepted.is_none();
+        if let Some((state, passed)) = accepted {
+            for one in passed {
+                tell(&format!("  accepted: {}", effects[one.effect].title()));
+                answer.findings.push(finding(&effects, &one));
+            }
+            current = state;
         }
-        current = state;
+        // what stands for another one; the latest waits for what may be missing beside it
+        let mut swapped = false;
+        let mut as_likely = vec![Vec::new(); current.accepted.len()];
+        let mut out = 0;
+        while out < current.accepted.len() - usize::from(!last) && swaps < 2 * options.most_effects && options.method.other_records {
+            match in_place_of(out, &ask, &current, &against, &mut tracks)? {
+                Place::Swap(swap) => {
+                    swaps += 1;
+                    swapped = true;
+                    answer.findings.remove(out);
+                    answer.findings.push(finding(&effects, &swap.passed));
+                    current = swap.state;
+                    out = 0;
+                }
+                Place::AsLikely(others) => {
+                    as_likely[out] = others;
+                    out += 1;
+                }
+            }
+        }
+        if last && !swapped {
+            for (finding, others) in answer.findings.iter_mut().zip(as_likely) {
+                for named in others.into_iter().map(|i| (effects[i].id.clone(), effects[i].place.clone())) {
+                    if !finding.equivalent.contains(&named) {
+                        finding.equivalent.push(named);
+                    }
+                }
+            }
+            break;
+        }
         answer.after = figures(current.fitted.judged(&current.prepared), Some(trained), tested, seen);
         at_gate = at_gate_of(&current);
-        // what an earlier effect stood for may have been this one
+        // it may be superfluous
         if let Some(drop) = current.superfluous().filter(|drop| drop + 1 < current.accepted.len()) {
             tell(&format!("  dropped again: {}", current.accepted[drop].effect.title()));
             let mut fewer = current.accepted.clone();
@@ -292,6 +315,22 @@ pub fn diagnose(
     answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &base_figures, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
+}
+
+/// An effect that passed, its numbers left open until the end.
+fn finding(effects: &[Effect], one: &Passed) -> Finding {
+    let effect = &effects[one.effect];
+    Finding {
+        effect: effect.id.clone(),
+        place: effect.place.clone(),
+        shape: effect.shape.clone(),
+        parameters: Vec::new(),
+        equivalent: one.equivalent.iter().map(|&i| (effects[i].id.clone(), effects[i].place.clone())).collect(),
+        p_value: one.p_family,
+        heldout_gain: one.verdict.gain,
+        error_ratio: one.error_ratio,
+        per_record: effect.by_record,
+    }
 }
 
 /// A candidate that passed on its own.

@@ -1,7 +1,7 @@
 //! Effects in a joint: friction, springs, stops, torques that are constant or turn with an angle, products of rates.
 
 use super::unit::{is_angle, of_coordinate, of_rate, of_row};
-use super::{Effect, Names, Scales, added, parameter, rounded, shape};
+use super::{Effect, Names, Scales, added, crutch, parameter, rounded, shape};
 use model_dsl::rig::{Expr, Rig, Symbol};
 
 /// Periods per turn that are tried.
@@ -53,9 +53,12 @@ fn friction(rig: &Rig, scales: &Scales, i: usize, names: &mut Names, out: &mut V
         let widths: &[f64] = if dry { &[] } else { &[0.03, 0.15, 0.006] };
         for (k, share) in widths.iter().copied().enumerate() {
             let width = rounded(share * typical);
-            let name = names.free(&format!("F_c_{q}"));
-            let p = vec![parameter(&name, row.text(), true, "Coulomb friction")];
-            let statement = format!("friction coulomb_{q}{} on {q} {{ coulomb {name} width {width} [{rate_unit}]; }}", tail(k));
+            let (name, w) = (names.free(&format!("F_c_{q}")), names.free(&format!("w_c_{q}")));
+            let p = vec![
+                parameter(&name, row.text(), true, "Coulomb friction"),
+                crutch(&w, rate_unit.clone(), width, "width of its smooth sign"),
+            ];
+            let statement = format!("friction coulomb_{q}{} on {q} {{ coulomb {name} width {w}; }}", tail(k));
             out.push(added("coulomb", q, p, Some(format!("width {width} {rate_unit}")), statement));
         }
         for (k, share) in [0.1, 0.3].into_iter().enumerate() {

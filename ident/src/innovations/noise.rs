@@ -155,6 +155,9 @@ pub fn likeliest(
         each.iter().sum()
     };
     let unknowns: Vec<usize> = (0..2 * nd).chain(seen.iter().map(|i| 2 * nd + i)).collect();
+    // a slow motion sees sd^2 times time alone: along that ridge both move together
+    let alone = unknowns.iter().map(|&k| (k, None));
+    let directions: Vec<(usize, Option<usize>)> = alone.chain((0..nd).map(|k| (nd + k, Some(k)))).collect();
     let mut best = from.clone();
     for &k in &unknowns {
         let (lo, hi) = bounds(k);
@@ -164,15 +167,19 @@ pub fn likeliest(
     let mut step = coarsest;
     while step > finest {
         let mut moved = false;
-        for &k in &unknowns {
+        for &(k, with) in &directions {
             let (lo, hi) = bounds(k);
             for sign in [1.0, -1.0] {
                 let mut went = false;
                 loop {
                     let mut other = best.clone();
-                    other.set(k, (best.get(k) * (sign * step).exp()).clamp(lo, hi));
-                    if other == best {
+                    let to = (best.get(k) * (sign * step).exp()).clamp(lo, hi);
+                    if to == best.get(k) {
                         break;
+                    }
+                    other.set(k, to);
+                    if let Some(sd) = with {
+                        other.set(sd, best.get(sd) * (best.get(k) / to).sqrt());
                     }
                     let at = likelihood(&other);
                     if at > value + 0.05 {
@@ -213,7 +220,7 @@ impl Range {
             .enumerate()
             .map(|(i, floor)| (OUTPUT.0 * floor, (OUTPUT.1 * floor).max(blur * spread_over(tracks, i))))
             .collect();
-        Self { time: (period, (0.04 * shortest).clamp(2.0 * period, f64::max(2.0 * period, 2.0))), output }
+        Self { time: (period, (0.1 * shortest).clamp(2.0 * period, f64::max(2.0 * period, 2.0))), output }
     }
 }
 

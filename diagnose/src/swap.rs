@@ -1,0 +1,106 @@
+//! Swaps: an effect that was accepted may have stood for another one, which only shows beside its companions, or which all records
+//! together find likelier; and others may be as likely.
+
+use crate::accept::{Bench, Tried, judge};
+use crate::base_fit::{Fitted, refit};
+use crate::effects::Effect;
+use crate::error::DiagnoseError;
+use crate::model::Prepared;
+use crate::search::{Question, SEPARATES, State, spent, total};
+use crate::together::{Against, Passed, predicted};
+use ident::innovations::Track;
+
+/// Others that are tried in an effect's place.
+const RIVALS: usize = 3;
+/// Smallest statistic of these, in parts of that of the effect itself.
+const NEARLY: f64 = 0.7;
+
+/// What may stand in the place of an accepted effect.
+pub(crate) enum Place {
+    /// Another one is likelier, and passes.
+    Swap(Box<Swap>),
+    /// These, by their numbers among all effects, are as likely and would pass.
+    AsLikely(Vec<usize>),
+}
+
+/// An effect that takes the place of an accepted one.
+pub(crate) struct Swap {
+    /// The state with the new one, which is its last.
+    pub state: State,
+    /// What acceptance says of the new one.
+    pub passed: Passed,
+}
+
+/// What all records say of others in the place of accepted effect `out`.
+///
+/// # Errors
+/// [`DiagnoseError`] where a record cannot be followed.
+pub(crate) fn in_place_of(
+    out: usize,
+    ask: &Question<'_>,
+    current: &State,
+    &Against { effects, held, horizon }: &Against<'_>,
+    tracks: &mut [Track],
+) -> Result<Place, DiagnoseError> {
+    let tell = ask.options.progress;
+    let nothing = || Ok(Place::AsLikely(Vec::new()));
+    let own = &current.accepted[out].effect;
+    let mut fewer = current.accepted.clone();
+    fewer.remove(out);
+    let Ok((prepared, fitted)) = refit(ask.base, ask.asked, &fewer, &current.fitted, (&mut *tracks, held), false) else { return nothing() };
+    let without = State { prepared, fitted, accepted: fewer };
+    let numbers = without.open(effects);
+    let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
+    let round = without.screen(ask, &left, tracks, &[])?;
+    let is_own = |i: usize| left[i].id == own.id && left[i].place == own.place;
+    let statistic = |i: usize| round.scores[i].statistic;
+    let least = NEARLY * (0..left.len()).filter(|&i| is_own(i)).map(statistic).fold(0.0, f64::max);
+    let noise = &current.fitted.found.noise;
+    let worth = |prepared: &Prepared, fitted: &Fitted| -> Result<f64, DiagnoseError> {
+        Ok(total(prepared, fitted, noise, held)? - spent(fitted.found.unknowns.len(), fitted.found.samples))
+    };
+    let before = worth(&current.prepared, &current.fitted)?;
+    let mut rivals: Vec<(f64, Tried)> = Vec::new();
+    let likely = without.speaking(ask, &left, &round).into_iter().filter(|&i| !is_own(i) && statistic(i) >= least);
+    for i in likely.take(RIVALS) {
+        let Some(rival) = without.with(ask, &left, &round, i, (&mut *tracks, held)) else { continue };
+        let own = worth(&rival.prepared, &rival.fitted)?;
+        // a hurried fit may lack as much
+        if own > before - 2.0 * SEPARATES {
+            rivals.push((own, rival));
+        }
+    }
+    rivals.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut as_likely = Vec::new();
+    let at_gate = predicted(&without.fitted, &without.prepared, held, horizon);
+    for (_, mut rival) in rivals {
+        without.work_out(ask, &left, &round, &mut rival, tracks, held)?;
+        let ahead = worth(&rival.prepared, &rival.fitted)? - before;
+        if is_own(rival.index) || ahead < -SEPARATES {
+            continue;
+        }
+        let bench = Bench { prepared: &without.prepared, fitted: &without.fitted, train: tracks, held, before: &at_gate, horizon };
+        let verdict = judge(&bench, &rival, ask.options)?;
+        let title = left[rival.index].title();
+        if let Some(why) = &verdict.refused {
+            tell(&format!("  {title} in the place of {}: {why}", own.title()));
+            continue;
+        }
+        if ahead <= SEPARATES {
+            tell(&format!("  {title} is as likely as {}", own.title()));
+            as_likely.push(numbers[rival.index]);
+            continue;
+        }
+        tell(&format!("  {title} takes the place of {}", own.title()));
+        let passed = Passed {
+            effect: numbers[rival.index],
+            equivalent: rival.equivalent.iter().map(|&i| numbers[i]).collect(),
+            p_family: round.scores[rival.index].p_family,
+            error_ratio: verdict.error_ratio,
+            verdict,
+        };
+        let state = State { prepared: rival.prepared, fitted: rival.fitted, accepted: rival.included };
+        return Ok(Place::Swap(Box::new(Swap { state, passed })));
+    }
+    Ok(Place::AsLikely(as_likely))
+}
