@@ -4,7 +4,7 @@ use crate::rigs::Rig;
 use crate::truth::Row;
 use crate::truth::chance::Chance;
 use crate::truth::mechanics::Mechanics;
-use crate::truth::plant::Plant;
+use crate::truth::plant::{Compliance, Plant};
 use serde::{Deserialize, Serialize};
 
 /// What is hidden, in the words of the catalogue.
@@ -32,8 +32,9 @@ pub struct Moved {
 }
 
 /// Effects with a sign.
-const POSITIVE: [&str; 12] = [
+const POSITIVE: [&str; 13] = [
     "backlash",
+    "flexible_mode",
     "viscous",
     "coulomb",
     "stribeck",
@@ -118,7 +119,7 @@ pub fn hide(plant: &mut Plant, rig: Rig, hidden: &Hidden, moved: &Moved) -> Opti
             }
         }
         _ => match inputs.iter().position(|u| *u == place) {
-            Some(j) => command(plant, effect, j, size, moved)?,
+            Some(j) => command(plant, effect, j, &hidden.sizes, moved)?,
             None => in_joint(plant, effect, joint(place)?, (size, second), moved)?,
         },
     }
@@ -130,7 +131,8 @@ fn within(size: f64, most: f64) -> Option<f64> {
     (size.abs() <= most).then_some(size)
 }
 
-fn command(plant: &mut Plant, effect: &str, j: usize, size: f64, moved: &Moved) -> Option<()> {
+fn command(plant: &mut Plant, effect: &str, j: usize, sizes: &[f64], moved: &Moved) -> Option<()> {
+    let size = *sizes.first()?;
     let largest = moved.command[j];
     let path = &mut plant.paths[j];
     match effect {
@@ -142,6 +144,10 @@ fn command(plant: &mut Plant, effect: &str, j: usize, size: f64, moved: &Moved) 
         "actuator_drift" => path.drift = size,
         "actuator_deadzone" => path.dead_zone = within(size, 0.5 * largest)?,
         "actuator_saturation" => path.saturation = (within(size, 1.0)?, 0.72 * largest),
+        "flexible_mode" => {
+            let [_, frequency, damping] = *sizes else { return None };
+            path.compliance = Some(Compliance { ratio: within(size, 3.0)?, frequency, damping });
+        }
         "start_transient" => path.transient = (within(size, 1.0)?, 1.0),
         _ => return None,
     }

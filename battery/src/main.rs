@@ -1,12 +1,12 @@
 //! `cargo run --release -p battery -- --row ROW --runs N --out FILE [--resume] [--threads 2] [--rigs a,b] [--part NAME] [--numbers 3,7]
-//! [--records FOLDER] [--aloud]`; `--table FILE ..` prints what files hold; `--growth` what a diagnosis costs; `--again RESULTS --records FOLDER
+//! [--effect ID] [--records FOLDER] [--aloud]`; `--table FILE ..` prints what files hold; `--growth` what a diagnosis costs; `--again RESULTS --records FOLDER
 //! --out FILE` diagnoses records once more that were kept; `--examples FOLDER` writes the
 //! records of `examples/hidden`.
 
 use battery::growth;
 use battery::rigs::Rig;
 use battery::rows::{ROWS, tasks};
-use battery::run::{Outcome, run};
+use battery::run::{Hiding, Outcome, Task, run};
 use battery::table::tables;
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -14,7 +14,7 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--numbers 3,7] [--records FOLDER] [--aloud]\n       battery --table FILE ..\n       battery --growth\n       battery --again RESULTS --records FOLDER --out FILE\n       battery --examples FOLDER";
+const USAGE: &str = "usage: battery --row ROW --runs N --out FILE [--resume] [--threads N] [--rigs a,b] [--part NAME] [--numbers 3,7] [--effect ID] [--records FOLDER] [--aloud]\n       battery --table FILE ..\n       battery --growth\n       battery --again RESULTS --records FOLDER --out FILE\n       battery --examples FOLDER";
 
 fn main() -> ExitCode {
     let given: Vec<String> = std::env::args().skip(1).collect();
@@ -70,6 +70,7 @@ struct Arguments {
     records: Option<String>,
     numbers: Vec<u64>,
     aloud: bool,
+    effect: Option<&'static str>,
 }
 
 fn arguments(given: Vec<String>) -> Result<Arguments, String> {
@@ -86,6 +87,7 @@ fn arguments(given: Vec<String>) -> Result<Arguments, String> {
         records: None,
         numbers: Vec::new(),
         aloud: false,
+        effect: None,
     };
     let mut given = given.into_iter().peekable();
     while let Some(word) = given.next() {
@@ -107,6 +109,12 @@ fn arguments(given: Vec<String>) -> Result<Arguments, String> {
                     .split(',')
                     .map(|name| Rig::ALL.into_iter().find(|r| r.name() == name.trim()).ok_or_else(|| format!("there is no rig `{name}`")))
                     .collect::<Result<_, _>>()?;
+            }
+            "--effect" => {
+                let id = value()?;
+                let known = diagnose::effects::IDS.into_iter().find(|known| *known == id);
+                own.effect =
+                    Some(known.ok_or_else(|| format!("there is no effect `{id}`; effects are {}", diagnose::effects::IDS.join(", ")))?);
             }
             "--records" => own.records = Some(value()?),
             "--examples" => own.examples = Some(value()?),
@@ -161,6 +169,11 @@ fn work(given: Vec<String>) -> Result<(), String> {
         .flat_map(|row| tasks(row, arguments.runs, &arguments.rigs))
         .filter(|t| arguments.part.as_ref().is_none_or(|p| t.part == *p))
         .filter(|t| arguments.numbers.is_empty() || arguments.numbers.contains(&t.number))
+        .map(|t| match (arguments.effect, t.hiding) {
+            // this one instead of any
+            (Some(effect), Hiding::Some(1, multiple)) => Task { hiding: Hiding::This(effect, multiple), ..t },
+            _ => t,
+        })
         .filter(|t| !done.contains(&key(t.row, &t.part, t.rig.name(), t.number)))
         .collect();
     let file = std::fs::OpenOptions::new().create(true).append(true).open(out).map_err(|e| format!("{out}: {e}"))?;

@@ -147,6 +147,7 @@ fn families(rig: Rig, number: u64) -> Vec<&'static str> {
         "sensor_misalignment",
         "base_tilt",
         "backlash",
+        "flexible_mode",
     ];
     let single = ["periodic_torque", "hard_stop", "gravity_offset", "added_mass"];
     let flying =
@@ -222,7 +223,7 @@ impl Setting {
             .collect();
         let rate = (0..n).map(|i| all[0].rate[i]).collect();
         let duration = all[0].t.last().copied().unwrap_or(0.0);
-        let scales = Scales { range, rate, input: vec![(1.0, 1.0); task.rig.names().1.len()], duration };
+        let scales = Scales { range, rate, input: vec![(1.0, 1.0); task.rig.names().1.len()], duration, period: self.bench.period };
         catalogue(&self.base.rig, &scales).into_iter().map(|e| e.id).collect()
     }
 
@@ -493,7 +494,12 @@ fn choose(
         if detectable.is_empty() {
             continue;
         }
-        let hidden = Hidden { effect: c.effect.clone(), place: c.place.clone(), sizes: sizes(id, &detectable, multiple, chance), multiple };
+        let mut own = sizes(id, &detectable, multiple, chance);
+        if let Some(at) = c.shape.as_deref().and_then(|s| s.strip_prefix("at ")?.strip_suffix(" rad/s")?.parse::<f64>().ok()) {
+            // beside the grid's frequency, and little damped
+            own.extend([1.1 * at, 0.03]);
+        }
+        let hidden = Hidden { effect: c.effect.clone(), place: c.place.clone(), sizes: own, multiple };
         let (mut both, mut alone) = (plant.clone(), clean.clone());
         if hide(&mut both, task.rig, &hidden, moved).is_none() || hide(&mut alone, task.rig, &hidden, moved).is_none() {
             continue;

@@ -23,6 +23,34 @@ pub struct Fitted {
     pub names: Vec<String>,
     /// Parameters of each test record: those of the day from its first half.
     pub of_test: Vec<Vec<f64>>,
+    /// The rig's parameters as they are treated: as the request has them, or held near where a model that would be lost predicts best.
+    pub asked: Arc<[ParameterSpec]>,
+    /// They are held so.
+    pub lost: bool,
+}
+
+/// Training records as an output error starts from them, with how their inputs are held.
+pub struct Starting {
+    /// Records.
+    pub records: Vec<Record>,
+    /// Between samples.
+    pub hold: Hold,
+    /// The rig's parameters as the request has them.
+    pub asked: Arc<[ParameterSpec]>,
+}
+
+impl Starting {
+    /// Parameters of each record by output error; `None` where there is nothing to fit or it does not get anywhere.
+    fn output_error(&self, prepared: &Prepared) -> Option<Vec<Vec<f64>>> {
+        if prepared.specs.iter().all(|s| !s.free) {
+            return None;
+        }
+        // to its end: from a start half way the innovations go astray on records of axes that drift
+        let limits = Limits { evaluations: 40, ..Limits::default() };
+        // a start needs no more digits than the encoders have
+        let fit = FitOptions { limits, hold: self.hold, loss: Loss::Huber(1.345), tolerance: 0.05, ..FitOptions::default() };
+        identify(&prepared.model, &prepared.specs, &self.records, &[], &fit).ok().map(|found| found.p_of_record)
+    }
 }
 
 impl Fitted {
@@ -86,31 +114,20 @@ const NEAR: f64 = 0.1;
 /// Samples at the beginning of each record by which a start is chosen.
 const CHOOSES: usize = 3000;
 
-/// Fits the rig as it is: from its own values and from those of output error, whichever the records find likelier. Comes with the
-/// parameters as they are to be treated from now on. Training records come as they are, and as an output error starts from them, with how the
-/// inputs of these are held.
+/// Fits the rig as it is: from its own values and from those of output error, whichever the records find likelier.
 ///
 /// Likelihood alone can lose a rig whose model is far from it: heavier and heavier bodies, pushed by larger and larger random forces, until
 /// the inputs do nothing. Where the fit predicts worse than where it began, parameters stay near there.
 pub fn fit_base(
     plain: &Prepared,
-    asked: &[ParameterSpec],
-    (train, starting, hold): (&[Record], &[Record], Hold),
+    (train, starting): (&[Record], &Starting),
     tracks: &mut [Track],
     held: &[Track],
     options: &Options<'_>,
-) -> Result<(Fitted, Vec<ParameterSpec>), DiagnoseError> {
+) -> Result<Fitted, DiagnoseError> {
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
     let mut starts = vec![vec![p0.clone(); tracks.len()]];
-    if plain.specs.iter().any(|s| s.free) {
-        // to its end: from a start half way the innovations go astray on records of axes that drift
-        let limits = Limits { evaluations: 40, ..Limits::default() };
-        // a start needs no more digits than the encoders have
-        let fit = FitOptions { limits, hold, loss: Loss::Huber(1.345), tolerance: 0.05, ..FitOptions::default() };
-        if let Ok(found) = identify(&plain.model, &plain.specs, starting, &[], &fit) {
-            starts.push(found.p_of_record);
-        }
-    }
+    starts.extend(starting.output_error(plain));
     let mut best: Option<Estimated> = None;
     let mut failed = None;
     for start in &starts {
@@ -137,7 +154,7 @@ pub fn fit_base(
     let nearest = starts.iter().map(|p| (error(p), p)).min_by(|a, b| a.0.total_cmp(&b.0));
     let Some((_, start)) = nearest.filter(|(least, _)| error(&found.p) > LOST * least) else {
         let of_test = from_first_halves(plain, &found, held);
-        return Ok((Fitted { found, names, of_test }, asked.to_vec()));
+        return Ok(Fitted { found, names, of_test, asked: starting.asked.clone(), lost: false });
     };
     (options.progress)("  likelihood alone would lose the rig: parameters stay near those that predict best");
     let near = |specs: &[ParameterSpec]| -> Vec<ParameterSpec> {
@@ -152,9 +169,27 @@ pub fn fit_base(
     };
     let noise = plain.noise(&Noise::guess(&plain.model, &p0, tracks, plain.entries.clone()));
     let found = estimate(&plain.model, &near(&plain.specs), tracks, start, noise, EstimateOptions::default())?;
-    let asked = near(asked);
+    let asked = near(&starting.asked).into();
     let of_test = from_first_halves(plain, &found, held);
-    Ok((Fitted { found, names, of_test }, asked))
+    Ok(Fitted { found, names, of_test, asked, lost: true })
+}
+
+/// Fits a patched rig from the rig's own values, by output error first: where the base was lost, no way leads from there.
+pub fn anew(
+    base: &Base,
+    starting: &Starting,
+    included: &[Included],
+    (tracks, held): (&[Track], &[Track]),
+) -> Result<(Arc<Prepared>, Fitted), DiagnoseError> {
+    let prepared = prepare(base, &starting.asked, included, included.len())?;
+    let start = starting.output_error(&prepared).ok_or(DiagnoseError::Fit(FitError::NoRecord))?;
+    let mut own = tracks.to_vec();
+    let noise = prepared.noise(&Noise::guess(&prepared.model, &start[0], &own, prepared.entries.clone()));
+    let rounds = EstimateOptions { rounds: 2, ..EstimateOptions::default() };
+    let found = estimate(&prepared.model, &prepared.specs, &mut own, &start, noise, rounds)?;
+    let names = prepared.specs.iter().map(|s| s.name.clone()).collect();
+    let of_test = from_first_halves(&prepared, &found, held);
+    Ok((Arc::new(prepared), Fitted { found, names, of_test, asked: starting.asked.clone(), lost: false }))
 }
 
 /// Squared errors over all signals, each over its own size.
@@ -166,13 +201,12 @@ fn error(figures: &[Figure]) -> f64 {
 /// Fits a patched rig from where the search stands. Not `thorough`: the noise stays as it is.
 pub fn refit(
     base: &Base,
-    asked: &[ParameterSpec],
     included: &[Included],
     from: &Fitted,
     (tracks, held): (&mut [Track], &[Track]),
     thorough: bool,
 ) -> Result<(Arc<Prepared>, Fitted), DiagnoseError> {
-    let prepared = prepare(base, asked, included, included.len())?;
+    let prepared = prepare(base, &from.asked, included, included.len())?;
     let start: Vec<Vec<f64>> = from
         .found
         .p
@@ -189,7 +223,7 @@ pub fn refit(
     let found = estimate(&prepared.model, &prepared.specs, &mut own, &start, noise, effort)?;
     let names = prepared.specs.iter().map(|s| s.name.clone()).collect();
     let of_test = from_first_halves(&prepared, &found, held);
-    Ok((Arc::new(prepared), Fitted { found, names, of_test }))
+    Ok((Arc::new(prepared), Fitted { found, names, of_test, asked: from.asked.clone(), lost: from.lost }))
 }
 
 /// Likelihood of test records, by sample, with the sizes of `noise`; each record begins as its first samples say.

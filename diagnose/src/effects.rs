@@ -78,6 +78,8 @@ pub enum Edit {
         addend: Option<String>,
         /// Addend where the derivative at the null value is wanted, if `addend` has none there.
         screened: Option<String>,
+        /// Statements that it needs.
+        besides: Vec<String>,
     },
     /// An entry of an input's path: `delay`, `lag`; added to what stands there.
     Path {
@@ -121,6 +123,9 @@ pub enum Signature {
     InputDelay(usize),
     /// As a delay of an output.
     OutputDelay(usize),
+    /// By the derivative with respect to its first parameter, times what a resonance leaves of an input; frequency and damping are its other
+    /// parameters.
+    Resonance(usize),
     /// As the way to the model that has it.
     Towards,
 }
@@ -160,10 +165,12 @@ pub struct Scales {
     pub input: Vec<(f64, f64)>,
     /// Longest record [s].
     pub duration: f64,
+    /// Time between its samples [s].
+    pub period: f64,
 }
 
 /// Ids of all effects, whether or not a rig has a place for them.
-pub const IDS: [&str; 33] = [
+pub const IDS: [&str; 34] = [
     "viscous",
     "coulomb",
     "stribeck",
@@ -185,6 +192,7 @@ pub const IDS: [&str; 33] = [
     "input_delay",
     "actuator_lag",
     "input_coupling",
+    "flexible_mode",
     "rotor_gyroscopic",
     "ground_effect",
     "sensor_bias",
@@ -286,6 +294,10 @@ pub(crate) fn shape(name: &str, unit: String, at: f64, within: (f64, f64), doc: 
 pub(crate) fn crutch(name: &str, unit: String, at: f64, doc: &str) -> EffectParameter {
     shape(name, unit, at, (at, at), doc)
 }
+
+/// Largest relative error of a gain or a scale, and largest share of another angle: beyond, it is another actuator or sensor, and likelier
+/// that all the rig's inertias and stiffnesses were carried off with it.
+pub(crate) const LARGEST: f64 = 0.5;
 
 /// A number as the language reads it, with few digits.
 pub(crate) fn rounded(value: f64) -> f64 {

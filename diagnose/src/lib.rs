@@ -13,6 +13,7 @@ mod accept;
 mod answer;
 mod base_fit;
 mod chance;
+mod compliance;
 pub mod effects;
 mod error;
 mod figures;

@@ -50,7 +50,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
     let written: Vec<Written<'_>> = effects
         .iter()
         .enumerate()
-        .filter(|(k, e)| *k < accepted || e.effect.signature == Signature::Parameters)
+        .filter(|(k, e)| *k < accepted || matches!(e.effect.signature, Signature::Parameters | Signature::Resonance(_)))
         .map(|(k, e)| Written {
             effect: &e.effect,
             values: values(e, k < accepted).into_iter().map(|v| (v, 0.0)).collect(),

@@ -50,10 +50,10 @@ pub(crate) fn propose(ask: &Question<'_>, open: &Open<'_>, tracks: &[Track]) -> 
         let timing = matches!(rival.signature, Signature::InputDelay(_) | Signature::OutputDelay(_));
         let size: Vec<f64> = if timing { own_values(open, &p).into_iter().take(1).map(f64::abs).collect() } else { Vec::new() };
         included.push(Included { effect: (*rival).clone(), start: rival.with(&size), held: Vec::new() });
-        others.push(prepare(ask.base, ask.asked, &included, included.len()).ok()?);
+        others.push(prepare(ask.base, &open.with.fitted.asked, &included, included.len()).ok()?);
     }
     if others.is_empty() {
-        others.push(prepare(ask.base, ask.asked, &plain, plain.len()).ok()?);
+        others.push(prepare(ask.base, &open.with.fitted.asked, &plain, plain.len()).ok()?);
     }
     let ground = ground(open.with, tracks)?;
     let mut best: Option<(f64, String)> = None;

@@ -126,6 +126,7 @@ pub fn compose(base: &Base, effects: &[Written<'_>], pushed: &[Force]) -> Result
                 let kept = if written.evidence.is_some() { format!("// {}", text.replace('\n', " ")) } else { String::new() };
                 edits.push((span, if kept.is_empty() { String::new() } else { format!("{kept}\n       ") }));
             }
+            Edit::Map { besides, .. } if !written.screened => more.extend(besides.iter().cloned()),
             Edit::Map { .. } | Edit::Path { .. } | Edit::Output { .. } | Edit::Center { .. } | Edit::Gravity(_) => {}
         }
     }
@@ -178,7 +179,7 @@ fn inputs(base: &Base, effects: &[Written<'_>], edits: &mut Vec<(Span, String)>)
         let (mut factors, mut addends, mut path) = (Vec::new(), Vec::new(), BTreeMap::new());
         for written in effects {
             match &written.effect.edit {
-                Edit::Map { input, factor, addend, screened } if *input == j => {
+                Edit::Map { input, factor, addend, screened, .. } if *input == j => {
                     factors.extend(factor.clone());
                     addends.extend(if written.screened { screened.clone().or_else(|| addend.clone()) } else { addend.clone() });
                 }
@@ -217,7 +218,10 @@ fn inputs(base: &Base, effects: &[Written<'_>], edits: &mut Vec<(Span, String)>)
 
 fn outputs(base: &Base, effects: &[Written<'_>], edits: &mut Vec<(Span, String)>, more: &mut Vec<String>) -> Result<(), PatchError> {
     let touched = |k: usize| effects.iter().any(|w| matches!(&w.effect.edit, Edit::Output { output, .. } if *output == k));
-    if !(0..base.rig.outputs.len()).any(touched) {
+    // a coordinate more would be measured where no output is said
+    let more_coordinates =
+        effects.iter().any(|w| !w.screened && matches!(&w.effect.edit, Edit::Map { besides, .. } if !besides.is_empty()));
+    if !more_coordinates && !(0..base.rig.outputs.len()).any(touched) {
         return Ok(());
     }
     for (k, output) in base.rig.outputs.iter().enumerate() {

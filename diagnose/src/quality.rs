@@ -80,6 +80,9 @@ pub fn mended(prepared: &Prepared, p: &[f64], record: &Record) -> Record {
     out
 }
 
+/// A change after which more than this of the accelerations is unexplained convinces nobody: something large is missing besides, or instead.
+const CONVINCES: f64 = 0.5;
+
 /// What was wired or logged wrongly: flipped signs, swapped channels, degrees for radians. Inputs of another run are left to
 /// `strangers`, which a poor model does not mislead; what an effect of the catalogue can be as well (a zero that is off) is left to it.
 ///
@@ -88,6 +91,7 @@ pub fn mended(prepared: &Prepared, p: &[f64], record: &Record) -> Record {
 pub fn mistaken(prepared: &Prepared, ranges: &[Range], records: &[Record], hold: Hold) -> Result<Vec<String>, FitError> {
     let found = inspect(&prepared.model, &prepared.specs, ranges, records, hold).map_err(FitError::from)?;
     let mistake = |kind: &FaultKind| match kind {
+        FaultKind::Contradicts(suspect) if suspect.unexplained.1 > CONVINCES => false,
         FaultKind::Contradicts(suspect) => !matches!(suspect.change, Change::Offset(..) | Change::SignOfParameter(_) | Change::Foreign(_)),
         _ => false,
     };

@@ -7,6 +7,7 @@
 //! larger one counts.
 
 use crate::chance::{Chance, beyond, quantile, variance_of_sum};
+use crate::compliance::strain;
 use crate::effects::{Effect, Signature};
 use crate::model::Prepared;
 use ident::fit::FitError;
@@ -84,33 +85,40 @@ pub fn screen(
     // the width of a dry friction is a crutch of the equations, not the rig's: what it could do is no effect
     let crutches = widths(prepared);
     let fitted: Vec<usize> = specs.iter().enumerate().filter(|(i, s)| s.free || crutches.contains(i)).map(|(i, _)| i).collect();
-    let mut columns: Vec<Column<'_>> = fitted.iter().map(|&i| Column::Parameter(i)).collect();
+    // what a record makes of its own command
+    let strains: Vec<Vec<Box<Shape>>> = candidates.iter().map(|c| strains(c, prepared, p, tracks)).collect();
+    let mut columns: Vec<Of<'_>> = fitted.iter().map(|&i| Of::All(Column::Parameter(i))).collect();
     // columns of the candidates: of the pass, and of which record
     let mut wide: Vec<(usize, Option<usize>)> = Vec::new();
     let mut own: Vec<std::ops::Range<usize>> = Vec::new();
-    for candidate in candidates {
+    for (candidate, strains) in candidates.iter().zip(&strains) {
         let (first, from) = (columns.len(), wide.len());
         match candidate {
             Seen::Effect(effect, parameters) => match effect.signature {
-                Signature::InputDelay(j) => columns.push(Column::InputDelay(j)),
-                Signature::OutputDelay(i) => columns.push(Column::OutputDelay(i)),
-                Signature::Parameters | Signature::Towards => columns.extend(parameters.iter().map(|&i| Column::Parameter(i))),
+                Signature::InputDelay(j) => columns.push(Of::All(Column::InputDelay(j))),
+                Signature::OutputDelay(i) => columns.push(Of::All(Column::OutputDelay(i))),
+                Signature::Resonance(_) => columns.extend(parameters.first().map(|&i| Of::Each(i, strains))),
+                Signature::Parameters | Signature::Towards => columns.extend(parameters.iter().map(|&i| Of::All(Column::Parameter(i)))),
             },
             Seen::ByRecord(parameters) => {
                 for i in parameters {
-                    let known = columns.iter().position(|c| matches!(c, Column::Parameter(own) if own == i));
+                    let known = columns.iter().position(|c| matches!(c, Of::All(Column::Parameter(own)) if own == i));
                     let column = known.unwrap_or(columns.len());
                     if known.is_none() {
-                        columns.push(Column::Parameter(*i));
+                        columns.push(Of::All(Column::Parameter(*i)));
                     }
                     wide.extend((0..tracks.len()).map(|r| (column, Some(r))));
                 }
                 own.push(from..wide.len());
                 continue;
             }
-            Seen::Towards(other) => columns.push(Column::Towards(*other)),
-            Seen::Shape(shapes, _) => columns.extend(shapes.iter().map(|(entry, shape)| Column::Shaped(*entry, shape.as_ref()))),
-            Seen::Weighted(shapes, _) => columns.extend(shapes.iter().map(|(i, shape)| Column::Weighted(*i, shape.as_ref()))),
+            Seen::Towards(other) => columns.push(Of::All(Column::Towards(*other))),
+            Seen::Shape(shapes, _) => {
+                columns.extend(shapes.iter().map(|(entry, shape)| Of::All(Column::Shaped(*entry, shape.as_ref()))));
+            }
+            Seen::Weighted(shapes, _) => {
+                columns.extend(shapes.iter().map(|(i, shape)| Of::All(Column::Weighted(*i, shape.as_ref()))));
+            }
         }
         wide.extend((first..columns.len()).map(|c| (c, None)));
         own.push(from..wide.len());
@@ -120,7 +128,7 @@ pub fn screen(
     let mut passes = passes(model, p, tracks, noise, &columns)?;
     let count = columns.len();
     for (r, pass) in passes.iter_mut().enumerate() {
-        clear_rounding(model, &p[r], &tracks[r], &columns, pass);
+        clear_rounding(model, &p[r], &tracks[r], &of_record(&columns, r), pass);
     }
 
     // base columns: one for each record where the parameter belongs to the day
@@ -218,9 +226,33 @@ fn widths(prepared: &Prepared) -> Vec<usize> {
     prepared.base.rig.frictions.iter().filter_map(of).collect()
 }
 
-fn passes(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &Noise, columns: &[Column<'_>]) -> Result<Vec<Pass>, FitError> {
+/// A column of the passes: the same for all records, or a parameter times a shape of each record's own.
+enum Of<'a> {
+    All(Column<'a>),
+    Each(usize, &'a [Box<Shape>]),
+}
+
+/// Columns of record `r`.
+fn of_record<'a>(columns: &[Of<'a>], r: usize) -> Vec<Column<'a>> {
+    let own = |c: &Of<'a>| match c {
+        Of::All(column) => *column,
+        Of::Each(i, shapes) => Column::Weighted(*i, shapes[r].as_ref()),
+    };
+    columns.iter().map(own).collect()
+}
+
+/// For a resonance, what it leaves of each record's command.
+fn strains(candidate: &Seen<'_>, prepared: &Prepared, p: &[Vec<f64>], tracks: &[Track]) -> Vec<Box<Shape>> {
+    let Seen::Effect(effect, _) = candidate else { return Vec::new() };
+    let Signature::Resonance(input) = effect.signature else { return Vec::new() };
+    let number = |k: usize| effect.parameters.get(k).and_then(|p| p.shape).map_or(1.0, |s| s.at);
+    tracks.iter().zip(p).map(|(track, p)| strain(&prepared.model, p, track, input, number(1), number(2))).collect()
+}
+
+fn passes(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &Noise, columns: &[Of<'_>]) -> Result<Vec<Pass>, FitError> {
     let each: Vec<_> = std::thread::scope(|scope| {
-        let running: Vec<_> = tracks.iter().zip(p).map(|(track, p)| scope.spawn(move || pass(model, p, track, noise, columns))).collect();
+        let run = |r: usize| scope.spawn(move || pass(model, &p[r], &tracks[r], noise, &of_record(columns, r)));
+        let running: Vec<_> = (0..tracks.len()).map(run).collect();
         running.into_iter().map(|handle| handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
     });
     let mut found = Vec::new();

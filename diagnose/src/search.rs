@@ -1,7 +1,7 @@
 //! Where the search stands, and its next step: screening, the few best refitted, what of a class can be told apart.
 
 use crate::accept::Tried;
-use crate::base_fit::{Fitted, likelihoods, refit};
+use crate::base_fit::{Fitted, Starting, anew, likelihoods, refit};
 use crate::chance::beyond;
 use crate::effects::{Effect, Scales, Signature};
 use crate::error::DiagnoseError;
@@ -26,8 +26,8 @@ const CLASSES: usize = 8;
 pub(crate) struct Question<'a> {
     /// The rig.
     pub base: &'a Base,
-    /// Its parameters, as the request has them.
-    pub asked: &'a [ParameterSpec],
+    /// What a fit begins with that cannot go on from where the search stands.
+    pub starting: &'a Starting,
     /// Choices.
     pub options: &'a Options<'a>,
 }
@@ -71,7 +71,8 @@ impl State {
     }
 
     pub fn screen(&self, ask: &Question<'_>, left: &[&Effect], tracks: &[Track], held: &[Track]) -> Result<Round, DiagnoseError> {
-        let Question { base, asked, options } = *ask;
+        let Question { base, options, .. } = *ask;
+        let asked = &self.fitted.asked[..];
         // one model with all candidates at their null values, beside what was accepted
         let mut included = self.accepted.clone();
         let accepted = self.accepted.len();
@@ -198,7 +199,13 @@ impl State {
             let mut included = self.accepted.clone();
             included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
-            let Some(found) = self.hurried(ask, included, index, &self.fitted, (&mut *tracks, held)) else { continue };
+            let mut found = self.hurried(ask, included, index, &self.fitted, (&mut *tracks, held));
+            if self.fitted.lost {
+                let other = self.begun_anew(ask, left[index], index, (tracks, held));
+                let better = |a: &Tried, b: &Tried| a.value > b.value;
+                found = if other.as_ref().is_some_and(|o| found.as_ref().is_none_or(|f| better(o, f))) { other } else { found };
+            }
+            let Some(found) = found else { continue };
             // judged by its likelihood ratio, as one of the family
             let ratio = 2.0 * (found.fitted.found.log_likelihood - self.fitted.found.log_likelihood);
             if finite && beyond(ratio, scores[index].degrees.max(1)) * left.len() as f64 > options.family {
@@ -242,6 +249,14 @@ impl State {
         Some(Tried { equivalent, ..found })
     }
 
+    /// A fit from the rig's own values.
+    fn begun_anew(&self, ask: &Question<'_>, effect: &Effect, index: usize, (tracks, held): (&[Track], &[Track])) -> Option<Tried> {
+        let mut included = self.accepted.clone();
+        included.push(include(effect, &[], Vec::new(), tracks));
+        let (prepared, fitted) = anew(ask.base, ask.starting, &included, (tracks, held)).ok()?;
+        Some(tried(index, included, prepared, fitted, tracks.len()))
+    }
+
     /// A refit in which the noise stays as it is.
     fn hurried(
         &self,
@@ -251,12 +266,12 @@ impl State {
         from: &Fitted,
         (tracks, held): (&mut [Track], &[Track]),
     ) -> Option<Tried> {
-        let (prepared, fitted) = refit(ask.base, ask.asked, &included, from, (tracks, held), false).ok()?;
-        let last = prepared.of_effect.last().into_iter().chain(prepared.of_shape.last()).flatten();
-        let values = |i: &usize| if prepared.specs[*i].per_record { tracks.len() } else { 1 };
-        let degrees: usize = last.filter(|&&i| prepared.specs[i].free).map(values).sum();
-        let value = fitted.found.log_likelihood - spent(degrees, fitted.found.samples);
-        Some(Tried { index, value, included, prepared, fitted, equivalent: Vec::new() })
+        let refitted = refit(ask.base, &included, from, (tracks, held), false);
+        let why = |e: &DiagnoseError| {
+            (ask.options.progress)(&format!("  {} cannot be fitted: {e}", included[self.accepted.len()].effect.title()))
+        };
+        let (prepared, fitted) = refitted.inspect_err(why).ok()?;
+        Some(tried(index, included, prepared, fitted, tracks.len()))
     }
 
     /// Refits `t` to the end; drops from its class what its own noise, or the other records, can tell
@@ -303,6 +318,15 @@ impl State {
     }
 }
 
+/// A refitted candidate and what it is worth.
+fn tried(index: usize, included: Vec<Included>, prepared: Arc<Prepared>, fitted: Fitted, records: usize) -> Tried {
+    let last = prepared.of_effect.last().into_iter().chain(prepared.of_shape.last()).flatten();
+    let values = |i: &usize| if prepared.specs[*i].per_record { records } else { 1 };
+    let degrees: usize = last.filter(|&&i| prepared.specs[i].free).map(values).sum();
+    let value = fitted.found.log_likelihood - spent(degrees, fitted.found.samples);
+    Tried { index, value, included, prepared, fitted, equivalent: Vec::new() }
+}
+
 /// Of shapes that nobody named, the one that speaks loudest beyond chance.
 fn loudest(scores: &[Score], seen: &[Seen<'_>], options: &Options<'_>) -> Option<String> {
     let beyond_chance = scores.iter().zip(seen).filter(|(s, _)| s.p_family < 0.2 * options.family);
@@ -325,7 +349,7 @@ pub(crate) fn spent(degrees: usize, samples: usize) -> f64 {
 
 /// Refits to the end.
 fn thorough(ask: &Question<'_>, t: &mut Tried, (tracks, held): (&mut [Track], &[Track])) -> bool {
-    let Ok((prepared, fitted)) = refit(ask.base, ask.asked, &t.included, &t.fitted, (tracks, held), true) else { return false };
+    let Ok((prepared, fitted)) = refit(ask.base, &t.included, &t.fitted, (tracks, held), true) else { return false };
     (t.prepared, t.fitted) = (prepared, fitted);
     true
 }
@@ -377,7 +401,7 @@ pub(crate) fn scales(prepared: &Prepared, tracks: &[Track], fitted: &Fitted) -> 
     let mut range = vec![(f64::INFINITY, f64::NEG_INFINITY); n];
     let (mut squares, mut count) = (vec![0.0; n], 0.0);
     let mut input = vec![(0.0_f64, f64::INFINITY, f64::NEG_INFINITY); rig.inputs.len()];
-    let mut duration = 0.0_f64;
+    let (mut duration, mut period) = (0.0_f64, 0.0);
     for (r, track) in tracks.iter().enumerate() {
         let p = &fitted.found.p[r];
         if let Ok(Some(pass)) = ident::innovations::pass(&prepared.model, p, track, &fitted.found.noise, &[]) {
@@ -395,12 +419,16 @@ pub(crate) fn scales(prepared: &Prepared, tracks: &[Track], fitted: &Fitted) -> 
                 input[j] = (input[j].0.max(u.abs()), input[j].1.min(u), input[j].2.max(u));
             }
         }
-        duration = duration.max(track.times()[track.times().len() - 1] - track.times()[0]);
+        let own = track.times()[track.times().len() - 1] - track.times()[0];
+        if own > duration {
+            (duration, period) = (own, own / (track.times().len() - 1).max(1) as f64);
+        }
     }
     Scales {
         range: range.into_iter().map(|(lo, hi)| if lo <= hi { (lo, hi) } else { (0.0, 0.0) }).collect(),
         rate: squares.into_iter().map(|s: f64| (s / f64::max(count, 1.0)).sqrt()).collect(),
         input: input.into_iter().map(|(largest, lo, hi)| (largest, if hi > lo { hi - lo } else { 0.0 })).collect(),
         duration,
+        period,
     }
 }

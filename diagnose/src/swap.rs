@@ -47,7 +47,7 @@ pub(crate) fn in_place_of(
     let own = &current.accepted[out].effect;
     let mut fewer = current.accepted.clone();
     fewer.remove(out);
-    let Ok((prepared, fitted)) = refit(ask.base, ask.asked, &fewer, &current.fitted, (&mut *tracks, held), false) else { return nothing() };
+    let Ok((prepared, fitted)) = refit(ask.base, &fewer, &current.fitted, (&mut *tracks, held), false) else { return nothing() };
     let without = State { prepared, fitted, accepted: fewer };
     let numbers = without.open(effects);
     let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();

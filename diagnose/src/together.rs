@@ -122,12 +122,12 @@ fn all_pass(
     for (k, member) in group[..last].iter_mut().enumerate() {
         let mut fewer = state.accepted.clone();
         let own = fewer.remove(before + k);
-        let Ok((without, fitted_without)) = refit(ask.base, ask.asked, &fewer, &state.fitted, (&mut *tracks, held), true) else {
+        let Ok((without, fitted_without)) = refit(ask.base, &fewer, &state.fitted, (&mut *tracks, held), true) else {
             return Ok(false);
         };
         // the whole group again, with the one that is asked in the last place
         fewer.push(own);
-        let Ok((prepared, fitted)) = refit(ask.base, ask.asked, &fewer, &state.fitted, (&mut *tracks, held), false) else {
+        let Ok((prepared, fitted)) = refit(ask.base, &fewer, &state.fitted, (&mut *tracks, held), false) else {
             return Ok(false);
         };
         let tried = Tried { index: 0, value: 0.0, included: fewer, prepared, fitted, equivalent: Vec::new() };

@@ -4,7 +4,7 @@
 
 use crate::accept::{Bench, Refusal, Ruling, Tried, judge};
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
-use crate::base_fit::{fit_base, refit};
+use crate::base_fit::{Starting, fit_base, refit};
 use crate::effects::{Effect, IDS, Scales, by_record, catalogue};
 use crate::error::DiagnoseError;
 use crate::figures::{self, Measured, View, figures, shrink, view};
@@ -103,16 +103,16 @@ pub fn diagnose(
     }
     tell("fitting the base ..");
     // an output error starts from what a free run can see; inputs go straight between blocks
-    let (starting, held_still): (Vec<Record>, Vec<bool>) = train
+    let (records, held_still): (Vec<Record>, Vec<bool>) = train
         .iter()
         .map(|r| {
             let block = stride_of_start(&plain, &p0, r);
             (averaged(r, block, &wrapped, &held_inputs), block == 1)
         })
         .unzip();
-    let hold_of_start = if held_still.iter().all(|still| *still) { options.hold } else { Hold::First };
-    let (fitted, asked) = fit_base(&plain, asked, (train, &starting, hold_of_start), &mut tracks, &held, options)?;
-    let asked = &asked[..];
+    let hold = if held_still.iter().all(|still| *still) { options.hold } else { Hold::First };
+    let starting = Starting { records, hold, asked: asked.into() };
+    let fitted = fit_base(&plain, (train, &starting), &mut tracks, &held, options)?;
     tell(&format!("  {}", in_words(&plain, &fitted.found.noise)));
     answer.faults = strangers(&plain, &fitted.found.p, &p0, &fitted.found.noise, &tracks)?;
     if !answer.faults.is_empty() {
@@ -164,7 +164,7 @@ pub fn diagnose(
     let at_gate_of = |state: &State| predicted(&state.fitted, &state.prepared, &held, horizon);
     let mut at_gate = at_gate_of(&current);
     let mut rejected: Vec<Rejected> = Vec::new();
-    let ask = Question { base, asked, options };
+    let ask = Question { base, starting: &starting, options };
     // what the training records ask for and the test records cannot show
     let mut unconfirmed: Option<State> = None;
     let mut left_over;
@@ -295,7 +295,7 @@ pub fn diagnose(
             tell(&format!("  dropped again: {}", current.accepted[drop].effect.title()));
             let mut fewer = current.accepted.clone();
             fewer.remove(drop);
-            if let Ok((prepared, fitted)) = refit(base, asked, &fewer, &current.fitted, (&mut tracks, &held), true) {
+            if let Ok((prepared, fitted)) = refit(base, &fewer, &current.fitted, (&mut tracks, &held), true) {
                 answer.findings.remove(drop);
                 answer.after = figures(fitted.judged(&prepared), Some(trained), tested, seen);
                 current = State { prepared, fitted, accepted: fewer };

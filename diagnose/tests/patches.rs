@@ -17,7 +17,7 @@ fn base(name: &str) -> Base {
 
 fn scales(base: &Base) -> Scales {
     let n = base.rig.coordinates.len();
-    Scales { range: vec![(-2.0, 2.5); n], rate: vec![0.7; n], input: vec![(3.0, 2.0); base.rig.inputs.len()], duration: 20.0 }
+    Scales { range: vec![(-2.0, 2.5); n], rate: vec![0.7; n], input: vec![(3.0, 2.0); base.rig.inputs.len()], duration: 20.0, period: 0.01 }
 }
 
 fn model(base: &Base) -> InProcess {

@@ -191,6 +191,8 @@ impl Experiment<'_> {
         for j in 0..inputs {
             acted[j] = self.plant.paths[j].asked(0.0, self.command[j].0);
         }
+        // springs behind actuators begin settled
+        let mut bent: [(f64, f64); MOST] = acted.map(|u| (u, 0.0));
         let mut before: Option<Row> = None;
         for k in 0..self.samples {
             let y = self.measure(t[k], &seen, n, &mut chance);
@@ -224,8 +226,16 @@ impl Experiment<'_> {
                         acted[j] = asked;
                     }
                 }
+                let mut acts = acted;
+                for (j, path) in self.plant.paths.iter().enumerate().take(inputs) {
+                    if let Some(spring) = &path.compliance {
+                        let middle = spring.bend(bent[j], acted[j], 0.5 * h);
+                        acts[j] = spring.acts(acted[j], middle.0);
+                        bent[j] = spring.bend(middle, acted[j], 0.5 * h);
+                    }
+                }
                 let pushed: Row = std::array::from_fn(|i| pushes.get_mut(i).map_or(0.0, |p| p.next(now, h, &mut chance)));
-                motion.advance(h, &acted, &pushed);
+                motion.advance(h, &acts, &pushed);
                 for (j, path) in self.plant.paths.iter().enumerate().take(inputs).filter(|(_, p)| p.lag > 0.0) {
                     let asked = path.asked(now + h, held(&t, &out.u[j], now + 0.999 * h - path.delay, self.command[j].0));
                     acted[j] = asked + (acted[j] - asked) * (-0.5 * h / path.lag).exp();

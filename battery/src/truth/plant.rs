@@ -85,6 +85,40 @@ pub struct Path {
     pub saturation: (f64, f64),
     /// Gain more at the start, over this time [s].
     pub transient: (f64, f64),
+    /// What it moves hangs at a spring.
+    pub compliance: Option<Compliance>,
+}
+
+/// A mass at a spring, between an actuator and what it moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Compliance {
+    /// Inertia beyond the spring over that before it.
+    pub ratio: f64,
+    /// Resonance of what is beyond, what is before being held [rad/s].
+    pub frequency: f64,
+    /// Its damping ratio.
+    pub damping: f64,
+}
+
+impl Compliance {
+    /// What acts in all while the spring is bent by `bent` units of the command.
+    #[must_use]
+    pub fn acts(&self, command: f64, bent: f64) -> f64 {
+        command + self.ratio * (command - bent)
+    }
+
+    /// The spring after `h` under a command that stays: bend and its rate, by the classical Runge-Kutta rule.
+    #[must_use]
+    pub fn bend(&self, (bent, rate): (f64, f64), command: f64, h: f64) -> (f64, f64) {
+        let w = self.frequency;
+        let slope = |x: (f64, f64)| (x.1, w * w * (self.acts(command, x.0) - x.0) - 2.0 * self.damping * w * x.1);
+        let on = |d: (f64, f64), h: f64| (bent + h * d.0, rate + h * d.1);
+        let a = slope((bent, rate));
+        let b = slope(on(a, 0.5 * h));
+        let c = slope(on(b, 0.5 * h));
+        let d = slope(on(c, h));
+        on((a.0 + 2.0 * b.0 + 2.0 * c.0 + d.0, a.1 + 2.0 * b.1 + 2.0 * c.1 + d.1), h / 6.0)
+    }
 }
 
 /// From a motion to a measured value.

@@ -1,13 +1,14 @@
 //! Effects on the way from a command to what it moves.
 
 use super::unit::{Text, of_row};
-use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, added, at_most, parameter, rounded, shape};
+use super::{Edit, Effect, EffectParameter, LARGEST, Names, Scales, Signature, added, at_most, parameter, rounded, shape};
 use model_dsl::rig::Rig;
 
 pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut Vec<Effect>) {
     for j in 0..rig.inputs.len() {
         maps(rig, scales, j, names, out);
         timing(rig, j, names, out);
+        compliance(rig, scales, j, names, out);
     }
     for j in 0..rig.inputs.len() {
         couplings(rig, j, names, out);
@@ -28,7 +29,7 @@ fn map(
         place: rig.inputs[input].name.clone(),
         parameters,
         shape,
-        edit: Edit::Map { input, factor, addend, screened: None },
+        edit: Edit::Map { input, factor, addend, screened: None, besides: Vec::new() },
         signature: Signature::Parameters,
         of_the_day: false,
         by_record: false,
@@ -46,8 +47,7 @@ fn maps(rig: &Rig, scales: &Scales, j: usize, names: &mut Names, out: &mut Vec<E
     bias.of_the_day = true;
     out.push(bias);
     let name = names.free(&format!("g_{u}"));
-    // beyond, it is another actuator, and likelier that all the rig's inertias and stiffnesses were carried off with it
-    let p = vec![at_most(1.0, parameter(&name, one.text(), false, "relative change of the gain"))];
+    let p = vec![at_most(LARGEST, parameter(&name, one.text(), false, "relative change of the gain"))];
     out.push(map(rig, j, "actuator_gain", p, None, Some(format!("(1 + {name})")), None));
     let name = names.free(&format!("k_u_{u}"));
     let p = vec![parameter(&name, one.by(&unit, -1).text(), false, "curvature of the gain")];
@@ -105,6 +105,51 @@ fn timing(rig: &Rig, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
             shape: None,
             edit: Edit::Path { input: j, entry, value: name },
             signature: Signature::InputDelay(j),
+            of_the_day: false,
+            by_record: false,
+        });
+    }
+}
+
+/// Resonances that are tried, in radians per sample.
+const RESONANCES: [f64; 5] = [0.12, 0.2, 0.33, 0.55, 0.9];
+/// Damping ratio in the screening: wide enough to see one between two of these.
+const WIDE: f64 = 0.15;
+
+/// What an actuator moves hangs at a spring: its torque acts once on what is before it, and again, behind a resonance, on what is beyond.
+fn compliance(rig: &Rig, scales: &Scales, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
+    if scales.period <= 0.0 {
+        return;
+    }
+    let u = &rig.inputs[j].name;
+    let unit = Text::read(&rig.inputs[j].unit.text);
+    let one = if unit == Text::one() { String::new() } else { format!(" * 1 [{}]", unit.text()) };
+    for per_sample in RESONANCES {
+        let w = rounded(per_sample / scales.period);
+        let (rho, frequency, damping) = (names.free(&format!("rho_{u}")), names.free(&format!("w_{u}")), names.free(&format!("d_{u}")));
+        let z = names.free(&format!("bent_{u}"));
+        let p = vec![
+            parameter(&rho, "1".to_owned(), true, "inertia beyond a compliance, in parts of that before it"),
+            shape(&frequency, "1/s".to_owned(), w, (0.6 * w, 1.6 * w), "resonance of what is beyond"),
+            shape(&damping, "1".to_owned(), WIDE, (0.005, 0.7), "its damping ratio"),
+        ];
+        let over = if one.is_empty() { u.clone() } else { format!("{u} / (1 [{}])", unit.text()) };
+        let follows = format!("{frequency}^2 * ({over} - {z}) - 2 * {damping} * {frequency} * {z}.dot");
+        let mut besides = vec![format!("coord {z}: rad;  // how far it is bent, in parts of a unit of {u}")];
+        if rig.equations.is_empty() {
+            besides.push(format!("kinetic {z}: 1/2 * 1 [kg*m^2] * {z}.dot^2;"));
+            besides.push(format!("torque {z}_spring on {z}: 1 [kg*m^2] * ({follows});"));
+        } else {
+            besides.push(format!("equation {z}.ddot = {follows};"));
+        }
+        let addend = Some(format!("+ {rho} * ({{u}} - {z}{one})"));
+        out.push(Effect {
+            id: "flexible_mode".to_owned(),
+            place: u.clone(),
+            parameters: p,
+            shape: Some(format!("at {w} rad/s")),
+            edit: Edit::Map { input: j, factor: None, addend, screened: Some(format!("+ {rho}{one}")), besides },
+            signature: Signature::Resonance(j),
             of_the_day: false,
             by_record: false,
         });

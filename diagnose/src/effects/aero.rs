@@ -35,7 +35,7 @@ fn ground(rig: &Rig, scales: &Scales, j: usize, i: usize, names: &mut Names, out
         place: format!("{u},{q}"),
         parameters: vec![parameter(&name, Text::one().by(&unit, -1).text(), false, "change of thrust by height")],
         shape: None,
-        edit: Edit::Map { input: j, factor: Some(factor), addend: None, screened: None },
+        edit: Edit::Map { input: j, factor: Some(factor), addend: None, screened: None, besides: Vec::new() },
         signature: Signature::Parameters,
         of_the_day: false,
         by_record: false,

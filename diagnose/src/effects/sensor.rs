@@ -2,11 +2,8 @@
 
 use super::joint::is_dry;
 use super::unit::{Text, is_angle, of_coordinate, of_rate};
-use super::{Edit, Effect, EffectParameter, Names, Scales, Signature, at_most, parameter, rounded};
+use super::{Edit, Effect, EffectParameter, LARGEST, Names, Scales, Signature, at_most, parameter, rounded};
 use model_dsl::rig::{Expr, Rig, Symbol};
-
-/// Largest error of a scale, and largest share of another angle: beyond, something else is measured.
-const LARGEST: f64 = 0.5;
 
 /// Width of the smooth sign by which play follows the rate, in parts of a typical rate.
 const TURNS: f64 = 0.03;

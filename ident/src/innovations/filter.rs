@@ -20,6 +20,7 @@ pub struct Track {
 }
 
 /// What innovations are differentiated by.
+#[derive(Clone, Copy)]
 pub enum Column<'a> {
     /// A parameter of the model.
     Parameter(usize),

@@ -68,7 +68,8 @@ impl Noise {
         let mut sd = vec![1.0; entries.len()];
         if let Some(track) = tracks.first() {
             let t = track.times()[0];
-            if model.parameter_jacobian(t, &track.initial, &track.inputs(model, p, t), p, &mut jacobian).is_ok() {
+            // it may come from a model with other states
+            if model.parameter_jacobian(t, &track.begun(model, p).initial, &track.inputs(model, p, t), p, &mut jacobian).is_ok() {
                 let span = track.times()[track.times().len() - 1] - t;
                 for (sd, &entry) in sd.iter_mut().zip(&entries) {
                     let reach = (0..d.states()).map(|i| jacobian[i * d.parameters + entry].abs()).fold(0.0, f64::max);
