@@ -28,6 +28,8 @@ pub enum Hiding {
     Some(usize, f64),
     /// This effect, wherever it can be, at a multiple of what shows.
     This(&'static str, f64),
+    /// These effects together, wherever they can be, at a multiple of what shows.
+    These(&'static [&'static str], f64),
     /// One of [`crate::hide::OUTSIDE`], at a multiple of the Coulomb friction that shows.
     Outside(&'static str, f64),
     /// An effect that is taken out of the catalogue then, and that no other entry imitates.
@@ -358,10 +360,15 @@ pub fn run(task: &Task, keep: Option<&Path>, aloud: bool) -> Option<Outcome> {
     // only what can act on this rig
     let known = setting.known(&plant, task);
     let mut only: Vec<String> = families(task.rig, task.number).into_iter().map(str::to_owned).filter(|id| known.contains(id)).collect();
-    if let Hiding::This(effect, _) = task.hiding
-        && !only.iter().any(|o| o == effect)
-    {
-        only.push(effect.to_owned());
+    let wanted: &[&str] = match &task.hiding {
+        Hiding::This(effect, _) => std::slice::from_ref(effect),
+        Hiding::These(effects, _) => effects,
+        _ => &[],
+    };
+    for effect in wanted {
+        if !only.iter().any(|o| o == effect) {
+            only.push((*effect).to_owned());
+        }
     }
     if task.hiding != Hiding::Nothing {
         let (records, moved) = setting.records(task, &plant, &mut chance);
@@ -441,6 +448,7 @@ fn choose(
     let (count, multiple) = match task.hiding {
         Hiding::Nothing => return Some(Vec::new()),
         Hiding::Some(count, multiple) => (count, multiple),
+        Hiding::These(effects, multiple) => (effects.len(), multiple),
         Hiding::This(_, multiple) | Hiding::Decoy(multiple) | Hiding::Eaten(multiple) => (1, multiple),
         Hiding::Outside(what, multiple) => {
             let (coordinates, _) = task.rig.names();
@@ -480,8 +488,10 @@ fn choose(
         let mut ids: Vec<&str> = told.iter().map(|c| c.effect.as_str()).collect();
         ids.sort_unstable();
         ids.dedup();
-        if let Hiding::This(effect, _) = task.hiding {
-            ids.retain(|id| *id == effect);
+        match task.hiding {
+            Hiding::This(effect, _) => ids.retain(|id| *id == effect),
+            Hiding::These(effects, _) => ids.retain(|id| *id == effects[chosen.len()]),
+            _ => {}
         }
         let id = *ids.get(chance.index(ids.len()))?;
         let own: Vec<&&Candidate> = told.iter().filter(|c| c.effect == id).collect();

@@ -35,3 +35,37 @@ pub(crate) fn strain(model: &dyn Model, p: &[f64], track: &Track, input: usize, 
         strain[k] + (next - strain[k]) * (place - k as f64)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::strain;
+    use ident::innovations::Track;
+    use ident::record::{Column, Record, Start};
+    use jit::InProcess;
+    use sim::Hold;
+
+    const RIG: &str = "rig Slide { param m: kg = 1; coord q: m; frame rail = ground.translate(q, 0, 0); body block on rail { mass m; }
+        input F: N; torque push on q: F; }";
+
+    /// A step of one: u - z is then exp(-d w t) (cos w_d t + d w / w_d sin w_d t).
+    #[test]
+    fn the_strain_of_a_step_is_that_of_the_textbook() {
+        let checked = model_dsl::check_text("slide.rig", RIG);
+        let model = InProcess::new(codegen::derive(&checked.rig.unwrap(), codegen::Options::default()).unwrap());
+        let t: Vec<f64> = (0..200).map(|k| 0.01 * f64::from(k)).collect();
+        let column = |name: &str, values: Vec<f64>| Column { name: name.to_owned(), unit: None, values };
+        let force = t.iter().map(|t| f64::from(u8::from(*t > 0.495))).collect();
+        let columns = vec![column("q", vec![0.0; 200]), column("F", force)];
+        let record = Record { source: "step".to_owned(), t, columns, declared: Vec::new(), start: Start::Free };
+        let track = Track::new(&record, &model, &[1.0], Hold::Zero).unwrap();
+        let (w, d) = (17.0, 0.2);
+        let shape = strain(&model, &[1.0], &track, 0, w, d);
+        let damped = w * (1.0_f64 - d * d).sqrt();
+        for k in 0..140 {
+            let (t, at) = (0.01 * f64::from(k), 0.5 + 0.01 * f64::from(k));
+            let expected = (-d * w * t).exp() * ((damped * t).cos() + d * w / damped * (damped * t).sin());
+            assert!((shape(at, &[], &[]) - expected).abs() < 2e-3, "{t} s: {} instead of {expected}", shape(at, &[], &[]));
+        }
+        assert_eq!(shape(0.3, &[], &[]), 0.0);
+    }
+}

@@ -5,7 +5,7 @@
 
 use crate::effects::{Edit, Effect};
 use crate::forces::Force;
-use model_dsl::rig::{FrameRef, Rig, Span};
+use model_dsl::rig::{Assumption, AssumptionKind, FrameRef, Rig, Span};
 use model_dsl::{CheckOptions, Checked, Loader, Severity, Sources};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -130,6 +130,7 @@ pub fn compose(base: &Base, effects: &[Written<'_>], pushed: &[Force]) -> Result
             Edit::Map { .. } | Edit::Path { .. } | Edit::Output { .. } | Edit::Center { .. } | Edit::Gravity(_) => {}
         }
     }
+    diagonal(base, effects, &mut edits);
     inputs(base, effects, &mut edits)?;
     outputs(base, effects, &mut edits, &mut more)?;
     bodies(base, effects, &mut edits)?;
@@ -162,6 +163,25 @@ pub fn compose(base: &Base, effects: &[Written<'_>], pushed: &[Force]) -> Result
         }
     }
     Ok(files)
+}
+
+/// A mass matrix that is written down gets an entry for each coordinate more.
+fn diagonal(base: &Base, effects: &[Written<'_>], edits: &mut Vec<(Span, String)>) {
+    let added = |w: &&Written<'_>| !w.screened && matches!(&w.effect.edit, Edit::Map { besides, .. } if !besides.is_empty());
+    let more = ", 1 [kg*m^2]".repeat(effects.iter().filter(added).count());
+    if more.is_empty() {
+        return;
+    }
+    let dropped = |k: usize| effects.iter().any(|w| w.effect.edit == Edit::Assumption(k));
+    let diagonal = |(k, a): &(usize, &Assumption)| matches!(a.kind, AssumptionKind::InertiaDiagonal(_)) && !dropped(*k);
+    for (_, assumption) in base.rig.assumptions.iter().enumerate().filter(diagonal) {
+        let text = base.sources.text(assumption.span).unwrap_or_default();
+        let open = text.find("diag").and_then(|at| Some(at + text.get(at..)?.find('(')?));
+        if let Some(close) = open.and_then(|open| closing(text, open)) {
+            let at = assumption.span.start + close as u32;
+            edits.push((Span { start: at, end: at, ..assumption.span }, more.clone()));
+        }
+    }
 }
 
 /// A statement whose places are filled in.

@@ -51,7 +51,8 @@ pub(crate) fn in_place_of(
     let without = State { prepared, fitted, accepted: fewer };
     let numbers = without.open(effects);
     let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
-    let round = without.screen(ask, &left, tracks, &[])?;
+    // a model that lacks it may not be able to follow the records at all
+    let Ok(round) = without.screen(ask, &left, tracks, &[]) else { return nothing() };
     let is_own = |i: usize| left[i].id == own.id && left[i].place == own.place;
     let statistic = |i: usize| round.scores[i].statistic;
     let least = NEARLY * (0..left.len()).filter(|&i| is_own(i)).map(statistic).fold(0.0, f64::max);

@@ -2,7 +2,7 @@
 //! state at the first sample too.
 
 use codegen::{Options, derive};
-use ident::innovations::{Column as By, Noise, Track, pass};
+use ident::innovations::{Column as By, Noise, Track, likeliest, pass};
 use ident::record::{Column, Record, Start};
 use jit::InProcess;
 use runtime::Model;
@@ -60,5 +60,57 @@ fn derivatives_of_innovations_are_their_differences() {
         let off: Vec<f64> = difference.iter().zip(&found.jacobian).map(|(a, b)| a - b).collect();
         // transitions are the exponential's series at the middle of a step, and gains move a little: good to a part in some hundred
         assert!(norm(&off) < 0.02 * norm(&difference), "{name}: off by {:.1e} of {:.1e}", norm(&off), norm(&difference));
+    }
+}
+
+/// Normal numbers from a linear congruential generator, by the sum of twelve.
+struct Chance(u64);
+
+impl Chance {
+    fn normal(&mut self) -> f64 {
+        let mut uniform = || {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..12).map(|_| uniform()).sum::<f64>() - 6.0
+    }
+}
+
+/// Slowly, a random torque is seen by its size squared times its time alone: a search along one of them after the other stays where it began.
+#[test]
+fn the_time_of_a_random_torque_is_found_from_one_that_is_nearly_white() {
+    let model = model();
+    let mut p = vec![0.0; model.dimensions().parameters];
+    model.nominal(&mut p);
+    let index = |name: &str| (0..p.len()).find(|&i| model.names().parameter(i) == name).unwrap();
+    let (size, time) = (0.02, 0.5);
+    for seed in 1..4 {
+        let mut chance = Chance(seed);
+        let (h, every) = (1e-3, 10);
+        let (mut q, mut v, mut torque) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let (mut t, mut y) = (Vec::new(), Vec::new());
+        for k in 0..12_000 {
+            if k % every == 0 {
+                t.push(f64::from(k) * h);
+                y.push(q + 2e-3 * chance.normal());
+            }
+            torque += -torque * h / time + size * (2.0 * h / time).sqrt() * chance.normal();
+            v += h * (torque - 0.5 * q.sin() - 0.01 * v) / 0.02;
+            q += h * v;
+        }
+        let column = |name: &str, values: Vec<f64>| Column { name: name.to_owned(), unit: None, values };
+        let columns = vec![column("V", vec![0.0; t.len()]), column("q", y)];
+        let record = Record { source: "pushed".to_owned(), t, columns, declared: Vec::new(), start: Start::Free };
+        let track = Track::new(&record, &model, &p, Hold::Zero).unwrap();
+        let white = Noise {
+            entries: vec![index("pushed")],
+            sd: vec![size * (time / 0.012_f64).sqrt()],
+            time: vec![0.012],
+            output_sd: vec![2e-3],
+            dry: Vec::new(),
+        };
+        let found = likeliest(&model, std::slice::from_ref(&p), &[track], &white, (1.6, 0.2), 0.1).unwrap();
+        // twelve seconds hold some two dozen independent stretches of such a torque
+        assert!((0.5 * time..2.5 * time).contains(&found.time[0]) && (0.6 * size..1.6 * size).contains(&found.sd[0]), "{found:?}");
     }
 }

@@ -3,7 +3,8 @@
 use super::joint::is_dry;
 use super::unit::{Text, is_angle, of_coordinate, of_rate};
 use super::{Edit, Effect, EffectParameter, LARGEST, Names, Scales, Signature, at_most, parameter, rounded};
-use model_dsl::rig::{Expr, Rig, Symbol};
+use model_dsl::rig::{Expr, Output, Rig, Symbol};
+use std::f64::consts::TAU;
 
 /// Width of the smooth sign by which play follows the rate, in parts of a typical rate.
 const TURNS: f64 = 0.03;
@@ -18,7 +19,8 @@ pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut V
             out.push(Effect { id: id.to_owned(), place, parameters: vec![p], shape: None, edit, signature, of_the_day, by_record: false });
         };
         let name = names.free(&format!("y_0_{}", y.name));
-        add("sensor_bias", y.name.clone(), parameter(&name, unit_text, false, "zero of the sensor"), "bias", Signature::Parameters, true);
+        let p = EffectParameter { most: farthest(rig, scales, y), ..parameter(&name, unit_text, false, "zero of the sensor") };
+        add("sensor_bias", y.name.clone(), p, "bias", Signature::Parameters, true);
         let name = names.free(&format!("s_y_{}", y.name));
         let p = at_most(LARGEST, parameter(&name, "1".to_owned(), false, "relative error of the sensor's scale"));
         add("sensor_scale", y.name.clone(), p, "scale", Signature::Parameters, false);
@@ -67,4 +69,14 @@ pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut V
             });
         }
     }
+}
+
+/// How far the zero of a sensor can be off (SI): a turn; the length of a way, and as far again as it was gone from its zero.
+fn farthest(rig: &Rig, scales: &Scales, y: &Output) -> Option<f64> {
+    let Expr::Symbol(Symbol::Coordinate(own)) = y.value else { return None };
+    if is_angle(rig, own) {
+        return Some(TAU);
+    }
+    let (lo, hi) = *scales.range.get(own)?;
+    (hi > lo).then(|| (hi - lo) + hi.abs().max(lo.abs()))
 }
