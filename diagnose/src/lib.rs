@@ -32,6 +32,7 @@ mod strangers;
 mod swap;
 mod together;
 mod traces;
+mod turn;
 mod verdict;
 mod workflow;
 

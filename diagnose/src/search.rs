@@ -39,6 +39,12 @@ pub(crate) struct State {
     pub accepted: Vec<Included>,
 }
 
+impl From<Tried> for State {
+    fn from(tried: Tried) -> Self {
+        Self { prepared: tried.prepared, fitted: tried.fitted, accepted: tried.included }
+    }
+}
+
 /// A screening and what it is about.
 pub(crate) struct Round {
     pub scores: Vec<Score>,

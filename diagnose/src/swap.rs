@@ -7,7 +7,7 @@ use crate::effects::Effect;
 use crate::error::DiagnoseError;
 use crate::model::Prepared;
 use crate::search::{Question, SEPARATES, State, spent, total};
-use crate::together::{Against, Passed, predicted};
+use crate::together::{Against, Candidate, Passed, predicted};
 use ident::innovations::Track;
 
 /// Others that are tried in an effect's place.
@@ -93,14 +93,9 @@ pub(crate) fn in_place_of(
             continue;
         }
         tell(&format!("  {title} takes the place of {}", own.title()));
-        let passed = Passed {
-            effect: numbers[rival.index],
-            equivalent: rival.equivalent.iter().map(|&i| numbers[i]).collect(),
-            p_family: round.scores[rival.index].p_family,
-            error_ratio: verdict.error_ratio,
-            verdict,
-        };
-        let state = State { prepared: rival.prepared, fitted: rival.fitted, accepted: rival.included };
+        let error_ratio = verdict.error_ratio;
+        let passed = Passed { is: Candidate::of(&rival, &numbers, &round), verdict, error_ratio };
+        let state = State::from(rival);
         return Ok(Place::Swap(Box::new(Swap { state, passed })));
     }
     Ok(Place::AsLikely(as_likely))

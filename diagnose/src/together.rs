@@ -6,7 +6,7 @@ use crate::effects::Effect;
 use crate::error::DiagnoseError;
 use crate::figures::predictions;
 use crate::model::Prepared;
-use crate::search::{Question, State};
+use crate::search::{Question, Round, State};
 use ident::innovations::Track;
 
 /// Effects that may wait for each other.
@@ -14,31 +14,42 @@ const MOST: usize = 3;
 /// Companions that are tried at each step.
 const COMPANIONS: usize = 3;
 
-/// An effect of a group that passed.
-pub(crate) struct Passed {
-    /// Its number among all effects.
+/// A candidate, by its number among all effects.
+#[derive(Clone)]
+pub(crate) struct Candidate {
     pub effect: usize,
     /// Those that cannot be told from it, by the same numbers.
     pub equivalent: Vec<usize>,
     /// p-value in the family, with those before it.
     pub p_family: f64,
-    /// What acceptance found, all others of the group being there.
+}
+
+impl Candidate {
+    /// `numbers` are those of the screening's candidates among all effects.
+    pub fn of(tried: &Tried, numbers: &[usize], round: &Round) -> Self {
+        let equivalent = tried.equivalent.iter().map(|&i| numbers[i]).collect();
+        Self { effect: numbers[tried.index], equivalent, p_family: round.scores[tried.index].p_family }
+    }
+}
+
+/// An effect that passed.
+pub(crate) struct Passed {
+    pub is: Candidate,
+    /// What acceptance found, all others of its group being there.
     pub verdict: Ruling,
-    /// Squared error of predictions over that of the group before it joined.
+    /// Squared error of predictions over that of the model before it joined.
     pub error_ratio: f64,
 }
 
 /// A candidate that was refused on its own.
 pub(crate) struct Refused {
-    /// Its number among all effects.
-    pub effect: usize,
+    pub is: Candidate,
     pub tried: Tried,
-    pub equivalent: Vec<usize>,
-    pub p_family: f64,
     pub error_ratio: f64,
 }
 
-/// Records and how far they are predicted.
+/// All effects, and the test records with how far they are predicted.
+#[derive(Clone, Copy)]
 pub(crate) struct Against<'a> {
     pub effects: &'a [Effect],
     pub held: &'a [Track],
@@ -57,15 +68,8 @@ pub(crate) fn together(
     let tell = ask.options.progress;
     let before = first.tried.included.len() - 1;
     let none = Ruling { refused: None, gain: (0.0, f64::INFINITY), error_ratio: 1.0 };
-    let mut group = vec![Passed {
-        effect: first.effect,
-        equivalent: first.equivalent,
-        p_family: first.p_family,
-        verdict: none,
-        error_ratio: first.error_ratio,
-    }];
-    let Tried { included, prepared, fitted, .. } = first.tried;
-    let mut state = State { accepted: included, prepared, fitted };
+    let mut group = vec![Passed { is: first.is, verdict: none, error_ratio: first.error_ratio }];
+    let mut state = State::from(first.tried);
     while group.len() < MOST && state.accepted.len() < ask.options.most_effects {
         let numbers = state.open(effects);
         let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
@@ -91,14 +95,8 @@ pub(crate) fn together(
         }
         let Some((tried, verdict)) = next else { return Ok(None) };
         let error_ratio = verdict.error_ratio;
-        group.push(Passed {
-            effect: numbers[tried.index],
-            equivalent: tried.equivalent.iter().map(|&i| numbers[i]).collect(),
-            p_family: round.scores[tried.index].p_family,
-            verdict,
-            error_ratio,
-        });
-        state = State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted };
+        group.push(Passed { is: Candidate::of(&tried, &numbers, &round), verdict, error_ratio });
+        state = State::from(tried);
         if all_pass(ask, &state, before, &mut group, against, tracks)? {
             return Ok(Some((state, group)));
         }

@@ -2,9 +2,8 @@
 //!
 //! look at the records -> fit the base -> where -> screen -> refit the few best -> accept one or none -> again -> verdict -> patch.
 
-use crate::accept::{Bench, Refusal, Ruling, Tried, judge};
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
-use crate::base_fit::{Starting, fit_base, refit};
+use crate::base_fit::{Starting, fit_base};
 use crate::effects::{Effect, IDS, Scales, by_record, catalogue};
 use crate::error::DiagnoseError;
 use crate::figures::{self, Measured, View, figures, shrink, view};
@@ -17,34 +16,24 @@ use crate::quality::{ahead, integrates, look, mended, mistaken, stride, stride_o
 use crate::screen::{SAME, UNIQUE, cosine};
 use crate::search::{Question, Round, State, scales};
 use crate::strangers::strangers;
-use crate::swap::{Place, in_place_of};
-use crate::together::{Against, Passed, Refused, predicted, together};
+use crate::together::{Against, Passed};
 use crate::traces;
-use crate::verdict::{Rejected, finish};
+use crate::turn::Search;
+use crate::verdict::finish;
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
 use ident::record::{Record, averaged};
 use runtime::Model;
 use sim::Hold;
-use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
-
-/// Log-likelihood by which a refused effect must be ahead of another for that one to be its shadow.
-const FAR: f64 = 9.2;
-
-/// Candidates that are worked out and judged in one turn.
-const MOST_JUDGED: usize = 5;
-
-/// Refused candidates that are tried with companions.
-const MOST_ALONE: usize = 2;
 
 /// Finds what a rig's text lacks. `asked` are its parameters as the request has them.
 ///
 /// # Errors
 /// [`DiagnoseError`], one variant a cause. Records that cannot be used are a verdict, no error.
 pub fn diagnose(
-    base: &Base,
+    rig: &Base,
     asked: &[ParameterSpec],
     train: &[Record],
     test: &[Record],
@@ -56,17 +45,17 @@ pub fn diagnose(
         return Err(DiagnoseError::NoTest);
     }
     let mut answer = empty();
-    let plain = prepare(base, asked, &[], 0)?;
+    let plain = prepare(rig, asked, &[], 0)?;
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
     let clean = |records: &[Record]| records.iter().map(|r| mended(&plain, &p0, r)).collect::<Vec<_>>();
     let (raw, raw_test) = (train, test);
     let (train, test) = (&clean(train)[..], &clean(test)[..]);
     let block = stride(&plain, &p0, train);
     let wrapped: Vec<String> =
-        base.rig.outputs.iter().filter(|o| o.encoder.as_ref().is_some_and(|e| e.wrapped)).map(|o| o.name.clone()).collect();
+        rig.rig.outputs.iter().filter(|o| o.encoder.as_ref().is_some_and(|e| e.wrapped)).map(|o| o.name.clone()).collect();
     let hold = if block > 1 { Hold::First } else { options.hold };
     let held_inputs: Vec<String> =
-        if options.hold == Hold::Zero { base.rig.inputs.iter().map(|i| i.name.clone()).collect() } else { Vec::new() };
+        if options.hold == Hold::Zero { rig.rig.inputs.iter().map(|i| i.name.clone()).collect() } else { Vec::new() };
     let bind = |records: &[Record]| {
         records
             .iter()
@@ -81,25 +70,19 @@ pub fn diagnose(
     tell("looking at the records ..");
     answer.faults = look(&plain, &p0, raw, raw_test, (&mut tracks, &mut held));
     if !answer.faults.is_empty() {
-        answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
-        answer.verdict = Verdict::BadData;
-        answer.seconds = began.elapsed().as_secs_f64();
-        return Ok(answer);
+        return Ok(unusable(answer, began));
     }
     if options.until == Step::Preflight {
         "the records can be used".clone_into(&mut answer.because);
         return Ok(answer);
     }
 
-    let ranges: Vec<_> = base.rig.coordinates.iter().filter_map(|c| Some((c.name.clone(), c.range?))).collect();
+    let ranges: Vec<_> = rig.rig.coordinates.iter().filter_map(|c| Some((c.name.clone(), c.range?))).collect();
     let all: Vec<Record> = train.iter().chain(test).map(|r| averaged(r, block, &wrapped, &held_inputs)).collect();
     // where the rig's own values cannot even be run, nothing is known of mistakes
     answer.faults = mistaken(&plain, &ranges, &all, hold).unwrap_or_default();
     if !answer.faults.is_empty() {
-        answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
-        answer.verdict = Verdict::BadData;
-        answer.seconds = began.elapsed().as_secs_f64();
-        return Ok(answer);
+        return Ok(unusable(answer, began));
     }
     tell("fitting the base ..");
     // an output error starts from what a free run can see; inputs go straight between blocks
@@ -116,10 +99,7 @@ pub fn diagnose(
     tell(&format!("  {}", in_words(&plain, &fitted.found.noise)));
     answer.faults = strangers(&plain, &fitted.found.p, &p0, &fitted.found.noise, &tracks)?;
     if !answer.faults.is_empty() {
-        answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
-        answer.verdict = Verdict::BadData;
-        answer.seconds = began.elapsed().as_secs_f64();
-        return Ok(answer);
+        return Ok(unusable(answer, began));
     }
     let trained = Measured { records: train, tracks: &tracks.clone() };
     let tested = Measured { records: test, tracks: &held };
@@ -152,156 +132,34 @@ pub fn diagnose(
     }
 
     let scales = scales(&plain, &tracks, &fitted);
-    let mut effects = chosen(base, &scales, options)?;
+    let mut effects = chosen(rig, &scales, options)?;
     if train.len() > 1 {
         effects.extend(by_record(&effects));
     }
-    let mut current = State { prepared: Arc::new(plain), fitted, accepted: Vec::new() };
-    let base_state_names: Vec<(String, String, f64, f64)> = current.free_parameters();
-    let base_figures = answer.before.clone();
+    let base = State { prepared: Arc::new(plain), fitted, accepted: Vec::new() };
+    let base_parameters = base.free_parameters();
     // acceptance looks at predictions: many starts scatter less than one free run, which may go over the top
-    let horizon = seen.horizon.unwrap_or(ahead(&current.prepared, &p0));
-    let at_gate_of = |state: &State| predicted(&state.fitted, &state.prepared, &held, horizon);
-    let mut at_gate = at_gate_of(&current);
-    let mut rejected: Vec<Rejected> = Vec::new();
-    let ask = Question { base, starting: &starting, options };
-    // what the training records ask for and the test records cannot show
-    let mut unconfirmed: Option<State> = None;
+    let horizon = seen.horizon.unwrap_or(ahead(&base.prepared, &p0));
+    let against = Against { effects: &effects, held: &held, horizon };
+    let mut search = Search::new(Question { base: rig, starting: &starting, options }, against, base);
     let mut left_over;
-    let mut turn = 0;
-    let mut swaps = 0;
     loop {
-        turn += 1;
-        tell(&format!("screening {} candidates ..", effects.len()));
-        let numbers = current.open(&effects);
-        let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
-        // what the test records could show is asked once
-        let asked_of: &[Track] = if current.accepted.is_empty() { &held } else { &[] };
-        let round = current.screen(&ask, &left, &tracks, asked_of)?;
-        if current.accepted.is_empty() {
+        let (numbers, round) = search.screen(&tracks)?;
+        if search.turns == 1 {
+            let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
             answer.candidates = listed(&left, &round);
             answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
         }
         left_over = round.left_over.clone();
-        if options.until == Step::Screen || current.accepted.len() >= options.most_effects {
+        let full = search.passed.len() >= options.most_effects;
+        if options.until == Step::Screen || full || !search.turn((&numbers, &round), &mut tracks)? {
             break;
         }
-        let mut chosen: VecDeque<Tried> = current.try_best(&ask, &left, &round, &mut tracks, &held).into();
-        let mut accepted: Option<(State, Vec<Passed>)> = None;
-        // what is refused although it explains the records far better than another leaves that one no reason
-        let mut refused = f64::NEG_INFINITY;
-        let mut judged = 0;
-        // refused ones that may lack a companion
-        let mut alone: Vec<Refused> = Vec::new();
-        while let Some(mut tried) = chosen.pop_front() {
-            let (first, value) = (left[tried.index], tried.value);
-            let mut error_ratio = 1.0;
-            let why = if value < refused - FAR {
-                Refusal::Shadow
-            } else if judged == MOST_JUDGED {
-                break;
-            } else {
-                judged += 1;
-                current.work_out(&ask, &left, &round, &mut tried, &mut tracks, &held)?;
-                let bench =
-                    Bench { prepared: &current.prepared, fitted: &current.fitted, train: &tracks, held: &held, before: &at_gate, horizon };
-                let verdict = judge(&bench, &tried, options)?;
-                let Some(why) = verdict.refused else {
-                    accepted = Some(alone_passed(tried, verdict, &numbers, &round));
-                    break;
-                };
-                error_ratio = verdict.error_ratio;
-                refused = refused.max(value);
-                why
-            };
-            let effect = if why == Refusal::Shadow { first } else { left[tried.index] };
-            tell(&format!("  {}: {why}", effect.title()));
-            // five families in a hundred speak where nothing is missing
-            let significant = round.scores[tried.index].p_family < 0.2 * options.family && why != Refusal::Shadow;
-            // sizes that differ from record to record may belong to the day
-            if matches!(why, Refusal::Contradiction { .. } | Refusal::NoGain(_))
-                && effect.of_the_day
-                && !effect.by_record
-                && let Some(of_the_day) = current.of_the_day(&ask, &left, &tried, &mut tracks, &held)
-            {
-                chosen.push_front(of_the_day);
-            }
-            let untold = matches!(why, Refusal::Untold(_));
-            let waits = untold || matches!(why, Refusal::Contradiction { .. } | Refusal::NoGain(_) | Refusal::Worse | Refusal::Small(_));
-            rejected.push(Rejected { effect: effect.clone(), why, significant, turn });
-            if untold && significant && unconfirmed.is_none() {
-                unconfirmed =
-                    Some(State { accepted: tried.included.clone(), prepared: tried.prepared.clone(), fitted: tried.fitted.clone() });
-            }
-            if waits && significant && alone.len() < MOST_ALONE && !effect.by_record {
-                let equivalent = tried.equivalent.iter().map(|&i| numbers[i]).collect();
-                alone.push(Refused {
-                    effect: numbers[tried.index],
-                    p_family: round.scores[tried.index].p_family,
-                    tried,
-                    equivalent,
-                    error_ratio,
-                });
-            }
-        }
-        let against = Against { effects: &effects, held: &held, horizon };
-        for first in alone {
-            if accepted.is_none() && options.method.other_records {
-                accepted = together(&ask, first, &against, &mut tracks)?;
-            }
-        }
-        let last = accepted.is_none();
-        if let Some((state, passed)) = accepted {
-            for one in passed {
-                tell(&format!("  accepted: {}", effects[one.effect].title()));
-                answer.findings.push(finding(&effects, &one));
-            }
-            current = state;
-        }
-        // what stands for another one; the latest waits for what may be missing beside it
-        let mut swapped = false;
-        let mut as_likely = vec![Vec::new(); current.accepted.len()];
-        let mut out = 0;
-        while out < current.accepted.len() - usize::from(!last) && swaps < 2 * options.most_effects && options.method.other_records {
-            match in_place_of(out, &ask, &current, &against, &mut tracks)? {
-                Place::Swap(swap) => {
-                    swaps += 1;
-                    swapped = true;
-                    answer.findings.remove(out);
-                    answer.findings.push(finding(&effects, &swap.passed));
-                    current = swap.state;
-                    out = 0;
-                }
-                Place::AsLikely(others) => {
-                    as_likely[out] = others;
-                    out += 1;
-                }
-            }
-        }
-        if last && !swapped {
-            for (finding, others) in answer.findings.iter_mut().zip(as_likely) {
-                for named in others.into_iter().map(|i| (effects[i].id.clone(), effects[i].place.clone())) {
-                    if !finding.equivalent.contains(&named) {
-                        finding.equivalent.push(named);
-                    }
-                }
-            }
-            break;
-        }
+    }
+    let Search { current, passed, rejected, unconfirmed, turns, ask, .. } = search;
+    answer.findings = passed.iter().map(|one| finding(&effects, one)).collect();
+    if !passed.is_empty() {
         answer.after = figures(current.fitted.judged(&current.prepared), Some(trained), tested, seen);
-        at_gate = at_gate_of(&current);
-        // it may be superfluous
-        if let Some(drop) = current.superfluous().filter(|drop| drop + 1 < current.accepted.len()) {
-            tell(&format!("  dropped again: {}", current.accepted[drop].effect.title()));
-            let mut fewer = current.accepted.clone();
-            fewer.remove(drop);
-            if let Ok((prepared, fitted)) = refit(base, &fewer, &current.fitted, (&mut tracks, &held), true) {
-                answer.findings.remove(drop);
-                answer.after = figures(fitted.judged(&prepared), Some(trained), tested, seen);
-                current = State { prepared, fitted, accepted: fewer };
-                at_gate = at_gate_of(&current);
-            }
-        }
     }
     let uneven = if current.accepted.is_empty() { None } else { current.uneven(options, &tracks, &held) };
     if options.traces && !answer.findings.is_empty() {
@@ -311,38 +169,40 @@ pub fn diagnose(
     if options.next {
         answer.next_experiment = next_experiment(&ask, &answer, &current, unconfirmed.as_ref(), &effects, &tracks);
     }
-    finish(base, &mut answer, &current, &base_state_names, (&rejected, turn), uneven.or(left_over), train)?;
-    answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &base_figures, &answer.after);
+    finish(rig, &mut answer, &current, &base_parameters, (&rejected, turns), uneven.or(left_over), train)?;
+    answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &answer.before, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
 }
 
+/// Records with faults are named, not fitted.
+fn unusable(mut answer: Diagnosis, began: Instant) -> Diagnosis {
+    answer.because = format!("the records cannot be used: {}", answer.faults.join("; "));
+    answer.verdict = Verdict::BadData;
+    answer.seconds = began.elapsed().as_secs_f64();
+    answer
+}
+
 /// An effect that passed, its numbers left open until the end.
 fn finding(effects: &[Effect], one: &Passed) -> Finding {
-    let effect = &effects[one.effect];
+    let effect = &effects[one.is.effect];
+    let mut equivalent: Vec<(String, String)> = Vec::new();
+    for other in one.is.equivalent.iter().map(|&i| (effects[i].id.clone(), effects[i].place.clone())) {
+        if !equivalent.contains(&other) {
+            equivalent.push(other);
+        }
+    }
     Finding {
         effect: effect.id.clone(),
         place: effect.place.clone(),
         shape: effect.shape.clone(),
         parameters: Vec::new(),
-        equivalent: one.equivalent.iter().map(|&i| (effects[i].id.clone(), effects[i].place.clone())).collect(),
-        p_value: one.p_family,
+        equivalent,
+        p_value: one.is.p_family,
         heldout_gain: one.verdict.gain,
         error_ratio: one.error_ratio,
         per_record: effect.by_record,
     }
-}
-
-/// A candidate that passed on its own.
-fn alone_passed(tried: Tried, verdict: Ruling, numbers: &[usize], round: &Round) -> (State, Vec<Passed>) {
-    let passed = Passed {
-        effect: numbers[tried.index],
-        equivalent: tried.equivalent.iter().map(|&i| numbers[i]).collect(),
-        p_family: round.scores[tried.index].p_family,
-        error_ratio: verdict.error_ratio,
-        verdict,
-    };
-    (State { accepted: tried.included, prepared: tried.prepared, fitted: tried.fitted }, vec![passed])
 }
 
 /// The experiment that would settle what is open: an effect that has equivalents, or one that no test record can confirm.
