@@ -160,7 +160,9 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         let most = limits.iter().find(|p| p.name == named(parameter))?.most?;
         (value.abs() > most).then(|| Refusal::Absurd { parameter: named(parameter).to_owned(), value })
     };
-    if let Some(why) = estimates.iter().find_map(|u| absurd((u.parameter, u.value))) {
+    let shape = tried.prepared.of_shape.last().map(Vec::as_slice).unwrap_or_default();
+    let numbers = tried.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter) || shape.contains(&u.parameter));
+    if let Some(why) = numbers.map(|u| (u.parameter, u.value)).find_map(absurd) {
         return refuse(why, none);
     }
     if !options.method.other_records {
@@ -214,7 +216,9 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         let each = weigh(&before, &of(tried.fitted.judged(&tried.prepared), &p_later), period);
         each.iter().any(Weighed::closes)
     };
-    if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !(instrument && at_once()) {
+    // a small gap that is closed beyond chance says more than a large one that something else has made
+    let closed = || weighed.iter().any(Weighed::closes) || (instrument && at_once());
+    if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !closed() {
         return refuse(Refusal::Small(gaps.iter().map(|w| w.closed()).fold(f64::NEG_INFINITY, f64::max)), gain);
     }
     if alike.iter().any(Weighed::worse) || error_ratio > WORSE {

@@ -115,6 +115,8 @@ fn timing(rig: &Rig, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
 const RESONANCES: [f64; 5] = [0.12, 0.2, 0.33, 0.55, 0.9];
 /// Damping ratio in the screening: wide enough to see one between two of these.
 const WIDE: f64 = 0.15;
+/// Beyond, it is a lag.
+const MOST_DAMPED: f64 = 0.3;
 
 /// What an actuator moves hangs at a spring: its torque acts once on what is before it, and again, behind a resonance, on what is beyond.
 fn compliance(rig: &Rig, scales: &Scales, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
@@ -131,7 +133,7 @@ fn compliance(rig: &Rig, scales: &Scales, j: usize, names: &mut Names, out: &mut
         let p = vec![
             parameter(&rho, "1".to_owned(), true, "inertia beyond a compliance, in parts of that before it"),
             shape(&frequency, "1/s".to_owned(), w, (0.6 * w, 1.6 * w), "resonance of what is beyond"),
-            shape(&damping, "1".to_owned(), WIDE, (0.005, 0.7), "its damping ratio"),
+            at_most(MOST_DAMPED, shape(&damping, "1".to_owned(), WIDE, (0.005, 1.2 * MOST_DAMPED), "its damping ratio")),
         ];
         let over = if one.is_empty() { u.clone() } else { format!("{u} / (1 [{}])", unit.text()) };
         let follows = format!("{frequency}^2 * ({over} - {z}) - 2 * {damping} * {frequency} * {z}.dot");
