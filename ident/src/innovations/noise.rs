@@ -1,8 +1,9 @@
 //! Sizes of the noises: what pushes the rig and what blurs its outputs.
 
-use super::filter::{Track, pass};
+use super::filter::{Column, Pass, Track, pass};
 use crate::fit::data::spread;
 use crate::parallel::in_parallel;
+use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 
 /// A number of a friction law.
@@ -149,11 +150,10 @@ pub fn likeliest(
         k if k < 2 * nd => range.time,
         k => range.output[k - 2 * nd],
     };
+    let constants: Vec<Column<'_>> = from.entries.iter().map(|&i| Column::Parameter(i)).collect();
     let likelihood = |noise: &Noise| -> f64 {
-        let each = in_parallel(&parts, |i, part| {
-            pass(model, &values[i], part, noise, &[]).ok().flatten().map_or(f64::NEG_INFINITY, |pass| pass.log_likelihood())
-        });
-        each.iter().sum()
+        let each = in_parallel(&parts, |i, part| pass(model, &values[i], part, noise, &constants).ok().flatten());
+        each.into_iter().collect::<Option<Vec<Pass>>>().map_or(f64::NEG_INFINITY, |passes| restricted(&passes, nd))
     };
     let unknowns: Vec<usize> = (0..2 * nd).chain(seen.iter().map(|i| 2 * nd + i)).collect();
     // a slow motion sees sd^2 times time alone: along that ridge both move together
@@ -199,6 +199,28 @@ pub fn likeliest(
         }
     }
     value.is_finite().then_some(best)
+}
+
+/// Restricted likelihood (H. D. Patterson and R. Thompson, Biometrika 58, 1971): what a constant force on each coordinate would explain is left
+/// out, so that no slow random force stands for it. The derivatives of the passes are those by these forces.
+fn restricted(passes: &[Pass], count: usize) -> f64 {
+    let mut value: f64 = passes.iter().map(Pass::log_likelihood).sum();
+    let (mut normal, mut right) = (DMatrix::<f64>::zeros(count, count), DVector::<f64>::zeros(count));
+    for pass in passes {
+        for (z, row) in pass.z.iter().zip(pass.jacobian.chunks_exact(count.max(1))) {
+            let row = DVector::from_column_slice(row);
+            right.axpy(*z, &row, 1.0);
+            normal.ger(1.0, &row, &row, 1.0);
+        }
+    }
+    let eigen = if count > 0 { normal.symmetric_eigen() } else { return value };
+    let largest = eigen.eigenvalues.max();
+    for (direction, &information) in eigen.eigenvectors.column_iter().zip(eigen.eigenvalues.iter()) {
+        if information > 1e-12 * largest {
+            value += 0.5 * direction.dot(&right).powi(2) / information - 0.5 * information.ln();
+        }
+    }
+    value
 }
 
 /// Between what the sizes of noises are looked for.
