@@ -105,7 +105,7 @@ const TELLS: f64 = 0.5;
 const CLOSES: f64 = 0.10;
 /// Largest squared error of predictions over that without the effect: beyond, no scatter excuses it.
 const WORSE: f64 = 1.1;
-/// Normal quantile of one-sided tests at 1 %, several signals being asked.
+/// Normal quantile of one-sided tests at 1 %, where several signals are asked, or less is known.
 const CLEARLY: f64 = 2.326;
 /// Normal quantile of one-sided tests at 5 %.
 const ONE_SIDED: f64 = 1.645;
@@ -199,7 +199,9 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     if pooled.sd > TELLS {
         return refuse(Refusal::Untold(Some(pooled)), gain);
     }
-    if gain.0 <= gain.1 * (ONE_SIDED / 1.96) {
+    // what is of the day has no other record that confirms it
+    let sure = if by_record { CLEARLY } else { ONE_SIDED };
+    if gain.0 <= gain.1 * (sure / 1.96) {
         let whole = pooled.value + 1.96 * pooled.sd.hypot(SAME_SIZE) > 1.0;
         return refuse(if whole { Refusal::Untold(Some(pooled)) } else { Refusal::NoGain(pooled) }, gain);
     }
