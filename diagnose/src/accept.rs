@@ -154,15 +154,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     if !estimates.is_empty() && estimates.iter().all(|u| u.value.abs() < 1.96 * u.sd) {
         return refuse(Refusal::Vanishes, none);
     }
-    let limits = tried.included.last().map(|i| i.effect.parameters.as_slice()).unwrap_or_default();
-    let named = |i: usize| tried.prepared.specs[i].name.as_str();
-    let absurd = |(parameter, value): (usize, f64)| {
-        let most = limits.iter().find(|p| p.name == named(parameter))?.most?;
-        (value.abs() > most).then(|| Refusal::Absurd { parameter: named(parameter).to_owned(), value })
-    };
-    let shape = tried.prepared.of_shape.last().map(Vec::as_slice).unwrap_or_default();
-    let numbers = tried.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter) || shape.contains(&u.parameter));
-    if let Some(why) = numbers.map(|u| (u.parameter, u.value)).find_map(absurd) {
+    if let Some(why) = absurd(tried) {
         return refuse(why, none);
     }
     if !options.method.other_records {
@@ -227,6 +219,18 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         return refuse(Refusal::Worse, gain);
     }
     Ok(Ruling { refused: None, gain, error_ratio })
+}
+
+/// A number of the effect that is larger than such a thing can be.
+pub(crate) fn absurd(tried: &Tried) -> Option<Refusal> {
+    let limits = tried.included.last().map(|i| i.effect.parameters.as_slice()).unwrap_or_default();
+    let own = [tried.prepared.of_effect.last(), tried.prepared.of_shape.last()];
+    let is_own = |i: &usize| own.iter().flatten().any(|of| of.contains(i));
+    tried.fitted.found.unknowns.iter().filter(|u| is_own(&u.parameter)).find_map(|u| {
+        let name = &tried.prepared.specs[u.parameter].name;
+        let most = limits.iter().find(|p| p.name == *name)?.most?;
+        (u.value.abs() > most).then(|| Refusal::Absurd { parameter: name.clone(), value: u.value })
+    })
 }
 
 /// Time between samples [s].

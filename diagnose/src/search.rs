@@ -1,6 +1,6 @@
 //! Where the search stands, and its next step: screening, the few best refitted, what of a class can be told apart.
 
-use crate::accept::Tried;
+use crate::accept::{Tried, absurd};
 use crate::base_fit::{Fitted, Starting, anew, likelihoods, refit};
 use crate::chance::beyond;
 use crate::effects::{Effect, Scales, Signature};
@@ -212,6 +212,13 @@ impl State {
                 found = if other.as_ref().is_some_and(|o| found.as_ref().is_none_or(|f| better(o, f))) { other } else { found };
             }
             let Some(found) = found else { continue };
+            // a resonance that is damped away is none, and casts no shadow on others
+            if matches!(left[index].signature, Signature::Resonance(_))
+                && let Some(why) = absurd(&found)
+            {
+                (options.progress)(&format!("  {}: {why}", left[index].title()));
+                continue;
+            }
             // judged by its likelihood ratio, as one of the family
             let ratio = 2.0 * (found.fitted.found.log_likelihood - self.fitted.found.log_likelihood);
             if finite && beyond(ratio, scores[index].degrees.max(1)) * left.len() as f64 > options.family {
