@@ -155,6 +155,16 @@ impl State {
         };
         let mut order: Vec<usize> = (0..left.len()).filter(|&i| speaks(&scores[i]) && !wrong_sign(left[i], &scores[i])).collect();
         order.sort_by(|&a, &b| worth(&scores[b]).total_cmp(&worth(&scores[a])));
+        // of the resonances of an input the loudest: a fit finds the way to its neighbours
+        let mut seen = Vec::new();
+        order.retain(|&i| match left[i].signature {
+            Signature::Resonance(input) if seen.contains(&input) => false,
+            Signature::Resonance(input) => {
+                seen.push(input);
+                true
+            }
+            _ => true,
+        });
         order
     }
 

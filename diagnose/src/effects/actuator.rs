@@ -112,7 +112,7 @@ fn timing(rig: &Rig, j: usize, names: &mut Names, out: &mut Vec<Effect>) {
 }
 
 /// Resonances that are tried, in radians per sample.
-const RESONANCES: [f64; 5] = [0.12, 0.2, 0.33, 0.55, 0.9];
+const RESONANCES: [f64; 4] = [0.12, 0.2, 0.33, 0.55];
 /// Damping ratio in the screening: wide enough to see one between two of these.
 const WIDE: f64 = 0.15;
 /// Beyond, it is a lag.
