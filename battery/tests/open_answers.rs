@@ -48,13 +48,13 @@ fn what_belongs_to_the_day_is_said_to() {
     assert!(said.by_record, "{said:?}");
     // one torque in both training records
     let [(a, s), (b, t)] = said.values[..] else { panic!("{said:?}") };
-    assert!((a - b).abs() < 4.0 * s.hypot(t) && a > 10.0 * s, "{said:?}");
+    assert!((a - b).abs() < 4.0 * s.hypot(t) && a > 5.0 * s, "{said:?}");
 }
 
 #[test]
 fn a_delay_and_a_lag_are_told_apart_by_the_experiment_that_is_proposed() {
     let here = folder("delay");
-    outcome("delay", Hiding::This("input_delay", 4.0), NOTHING[2], &here);
+    outcome("delay", Hiding::This("input_delay", 2.5), NOTHING[2], &here);
     let found = again("delay", &here, &["input_delay", "actuator_lag", "coulomb"]);
     assert_eq!(found.verdict, Verdict::Ambiguous, "{}", found.because);
     let next = found.next_experiment.expect("an experiment");
@@ -65,7 +65,7 @@ fn a_delay_and_a_lag_are_told_apart_by_the_experiment_that_is_proposed() {
 #[test]
 fn no_experiment_tells_a_motors_offset_from_a_torque() {
     let here = folder("bias");
-    outcome("bias", Hiding::This("actuator_bias", 4.0), NOTHING[2], &here);
+    outcome("bias", Hiding::This("actuator_bias", 3.0), NOTHING[1], &here);
     let found = again("bias", &here, &["actuator_bias", "constant_torque", "coulomb"]);
     assert_eq!(found.verdict, Verdict::Ambiguous, "{}", found.because);
     let next = found.next_experiment.expect("words");
