@@ -10,6 +10,8 @@ use sim::Segment;
 
 /// Longest step times the model's fastest rate.
 const REACH: f64 = 0.35;
+/// Longest step in time constants of a lag.
+const REACH_OF_LAG: f64 = 1.2;
 /// Most steps between two switches.
 const MOST: f64 = 40.0;
 
@@ -139,7 +141,7 @@ impl<'a> Stepper<'a> {
             let Self { model, x, u, p, other, power, b, .. } = self;
             model.linearize(t, x, u, p, other, power, b).map_err(|_| Stopped)?;
         }
-        self.fastest = fastest(&self.a, self.n);
+        self.fastest = fastest(&self.a, self.n, 2 * self.model.dimensions().coordinates);
         Ok(())
     }
 
@@ -353,15 +355,17 @@ pub(crate) fn product(a: &[f64], b: &[f64], out: &mut [f64], rows: usize, inner:
     }
 }
 
-/// A bound of the size of A's eigenvalues that does not take a stiff spring's constant for a rate: of A^2, its root.
-fn fastest(a: &[f64], n: usize) -> f64 {
+/// A bound of the size of A's eigenvalues that does not take a stiff spring's constant for a rate: of A^2, its root; over the states that
+/// move. A lag behind them is one decay: its end is exact whatever the step, and what it does on the way lasts no longer than itself.
+fn fastest(a: &[f64], n: usize, moving: usize) -> f64 {
     let mut largest = 0.0_f64;
-    for i in 0..n {
+    for i in 0..moving {
         let mut sum = 0.0;
-        for j in 0..n {
-            sum += (0..n).map(|l| a[i * n + l] * a[l * n + j]).sum::<f64>().abs();
+        for j in 0..moving {
+            sum += (0..moving).map(|l| a[i * n + l] * a[l * n + j]).sum::<f64>().abs();
         }
         largest = largest.max(sum);
     }
-    largest.sqrt().max(1e-9)
+    let lag = (moving..n).map(|i| a[i * n + i].abs()).fold(0.0, f64::max);
+    largest.sqrt().max(lag * REACH / REACH_OF_LAG).max(1e-9)
 }
