@@ -206,7 +206,7 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
         let told = found.candidates.iter().filter(|c| c.status != "not identifiable").count();
         let _ = writeln!(text, "\n{} candidates, {told} of them could have been seen; the strongest:", found.candidates.len());
         for c in found.candidates.iter().filter(|c| c.status != "not identifiable").take(6) {
-            let sizes: Vec<String> = c.minimal_detectable.iter().map(|(n, v, u)| format!("{n} {} {u}", diagnose_digits(*v))).collect();
+            let sizes: Vec<String> = c.minimal_detectable.iter().map(|(n, v, u)| format!("{n} {}", sized(*v, u))).collect();
             let sizes = if sizes.is_empty() { String::new() } else { format!("   smallest that shows: {}", sizes.join(", ")) };
             let shape = c.shape.as_ref().map_or_else(String::new, |s| format!(" ({s})"));
             let _ =
@@ -222,7 +222,7 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
             .iter()
             .map(|v| {
                 let of = v.record.as_ref().map_or_else(String::new, |r| format!(" ({})", short(r)));
-                format!("{} = {} +- {} {}{of}", v.name, diagnose_digits(v.value), diagnose_digits(v.sd), v.unit)
+                format!("{} = {} +- {}{of}", v.name, diagnose_digits(v.value), sized(v.sd, &v.unit))
             })
             .collect();
         let day = if f.per_record { ", of the day" } else { "" };
@@ -259,11 +259,10 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
             if (m.after.0 - m.before.0).abs() > 2.0 * reach {
                 let _ = writeln!(
                     text,
-                    "moved      {} from {} to {} {}: it had been absorbing what was missing",
+                    "moved      {} from {} to {}: it had been absorbing what was missing",
                     m.name,
                     diagnose_digits(m.before.0),
-                    diagnose_digits(m.after.0),
-                    m.unit
+                    sized(m.after.0, &m.unit)
                 );
             }
         }
@@ -278,7 +277,17 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
 
 /// Three digits are what such numbers are worth.
 fn diagnose_digits(value: f64) -> String {
-    if value.is_finite() { number(format!("{value:.2e}").parse().unwrap_or(value)) } else { "unknown".to_owned() }
+    if !value.is_finite() {
+        return "unknown".to_owned();
+    }
+    let short = format!("{value:.2e}");
+    let plain = number(short.parse().unwrap_or(value));
+    if plain.contains('e') { short } else { plain }
+}
+
+/// With its unit, where it has one.
+fn sized(value: f64, unit: &str) -> String {
+    if unit == "1" { diagnose_digits(value) } else { format!("{} {unit}", diagnose_digits(value)) }
 }
 
 fn document(found: &Diagnosis) -> Value {

@@ -128,7 +128,8 @@ fn compliance(rig: &Rig, scales: &Scales, j: usize, names: &mut Names, out: &mut
     let one = if unit == Text::one() { String::new() } else { format!(" * 1 [{}]", unit.text()) };
     for per_sample in RESONANCES {
         let w = rounded(per_sample / scales.period);
-        let (rho, frequency, damping) = (names.free(&format!("rho_{u}")), names.free(&format!("w_{u}")), names.free(&format!("d_{u}")));
+        let (rho, frequency, damping) =
+            (names.free(&format!("rho_{u}")), names.free(&format!("omega_{u}")), names.free(&format!("zeta_{u}")));
         let z = names.free(&format!("bent_{u}"));
         let p = vec![
             parameter(&rho, "1".to_owned(), true, "inertia beyond a compliance, in parts of that before it"),
