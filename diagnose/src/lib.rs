@@ -33,6 +33,7 @@ mod swap;
 mod together;
 mod traces;
 mod turn;
+mod unseen;
 mod verdict;
 mod workflow;
 

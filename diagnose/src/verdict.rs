@@ -21,6 +21,14 @@ pub(crate) struct Rejected {
     pub turn: usize,
 }
 
+/// What the last model leaves open.
+pub(crate) struct Open {
+    /// A gap that no candidate explains.
+    pub left_over: Option<String>,
+    /// What the records could not have shown of an effect that was found.
+    pub unseen: Option<String>,
+}
+
 /// Verdict, moved parameters, patched text.
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn finish(
@@ -29,7 +37,7 @@ pub(crate) fn finish(
     state: &State,
     before: &[(String, String, f64, f64)],
     (rejected, last): (&[Rejected], usize),
-    left_over: Option<String>,
+    Open { left_over, unseen }: Open,
     train: &[Record],
 ) -> Result<(), DiagnoseError> {
     let specs = &state.prepared.specs;
@@ -106,7 +114,7 @@ pub(crate) fn finish(
         } else {
             (Verdict::NoGap, "nothing is missing that these records could show".to_owned())
         }
-    } else if let Some(equivalents) = equivalents.as_ref().filter(|_| left_over.is_none()) {
+    } else if let Some(equivalents) = equivalents.as_ref().filter(|_| left_over.is_none() && unseen.is_none()) {
         (Verdict::Ambiguous, equivalents.clone())
     } else if !untold.is_empty() && !contradicted {
         (
@@ -115,6 +123,8 @@ pub(crate) fn finish(
         )
     } else if contradicted || left_over.is_some() {
         (Verdict::Partial, format!("something is left that no candidate explains{words}{besides}"))
+    } else if let Some(unseen) = unseen {
+        (Verdict::Partial, format!("{unseen}{besides}"))
     } else {
         (Verdict::Complete, "what is left is white".to_owned())
     };

@@ -9,7 +9,7 @@ use crate::error::DiagnoseError;
 use crate::figures::{self, Measured, View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Prepared, prepare};
-use crate::next::{Open, propose};
+use crate::next::{self, propose};
 use crate::options::{Options, Step};
 use crate::patch::Base;
 use crate::quality::{ahead, integrates, look, mended, mistaken, stride, stride_of_start};
@@ -19,7 +19,8 @@ use crate::strangers::strangers;
 use crate::together::{Against, Passed};
 use crate::traces;
 use crate::turn::Search;
-use crate::verdict::finish;
+use crate::unseen::unseen;
+use crate::verdict::{Open, finish};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
 use ident::record::{Record, averaged};
@@ -142,15 +143,15 @@ pub fn diagnose(
     let horizon = seen.horizon.unwrap_or(ahead(&base.prepared, &p0));
     let against = Against { effects: &effects, held: &held, horizon };
     let mut search = Search::new(Question { base: rig, starting: &starting, options }, against, base);
-    let mut left_over;
+    let mut open;
     loop {
         let (numbers, round) = search.screen(&tracks)?;
+        let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
         if search.turns == 1 {
-            let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
             answer.candidates = listed(&left, &round);
             answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
         }
-        left_over = round.left_over.clone();
+        open = Open { left_over: round.left_over.clone(), unseen: unseen(&search.current, &left, &round) };
         let full = search.passed.len() >= options.most_effects;
         if options.until == Step::Screen || full || !search.turn((&numbers, &round), &mut tracks)? {
             break;
@@ -161,7 +162,9 @@ pub fn diagnose(
     if !passed.is_empty() {
         answer.after = figures(current.fitted.judged(&current.prepared), Some(trained), tested, seen);
     }
-    let uneven = if current.accepted.is_empty() { None } else { current.uneven(options, &tracks, &held) };
+    if !current.accepted.is_empty() {
+        open.left_over = current.uneven(options, &tracks, &held).or(open.left_over);
+    }
     if options.traces && !answer.findings.is_empty() {
         let found = &current.fitted.found;
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.of_test, train, test, options.hold);
@@ -169,7 +172,7 @@ pub fn diagnose(
     if options.next {
         answer.next_experiment = next_experiment(&ask, &answer, &current, unconfirmed.as_ref(), &effects, &tracks);
     }
-    finish(rig, &mut answer, &current, &base_parameters, (&rejected, turns), uneven.or(left_over), train)?;
+    finish(rig, &mut answer, &current, &base_parameters, (&rejected, turns), open, train)?;
     answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &answer.before, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
@@ -218,10 +221,10 @@ fn next_experiment(
     if let Some(k) = answer.findings.iter().position(|f| !f.equivalent.is_empty()) {
         let named = |(id, place): &(String, String)| effects.iter().find(|e| e.id == *id && e.place == *place);
         let rivals = answer.findings[k].equivalent.iter().filter_map(named).collect();
-        return propose(ask, &Open { with: current, effect: k, rivals }, tracks);
+        return propose(ask, &next::Open { with: current, effect: k, rivals }, tracks);
     }
     let with = unconfirmed?;
-    propose(ask, &Open { with, effect: with.accepted.len() - 1, rivals: Vec::new() }, tracks)
+    propose(ask, &next::Open { with, effect: with.accepted.len() - 1, rivals: Vec::new() }, tracks)
 }
 
 /// The noises: `random forces theta 0.006 N*m over 0.2 s; outputs theta 0.0002 rad`.

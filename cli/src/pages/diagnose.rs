@@ -68,8 +68,7 @@ fn tone(verdict: Verdict) -> Tone {
 }
 
 fn finding(f: &diagnose::Finding) -> String {
-    let values: Vec<String> =
-        f.parameters.iter().map(|v| format!("{} = {} +- {}", v.name, brief(v.value), sized(v.sd, &v.unit))).collect();
+    let values: Vec<String> = f.parameters.iter().map(|v| format!("{} = {} +- {}", v.name, brief(v.value), sized(v.sd, &v.unit))).collect();
     format!("{} on {}, {}", f.effect, f.place, values.join(", "))
 }
 
