@@ -44,7 +44,7 @@ fn what_stood_for_another_effect_gives_way_once_its_companion_is_there() {
 
 #[test]
 fn a_compliance_is_found_with_its_resonance_and_damping() {
-    let found = outcome("one", Rig::Pendulum, NOTHING[1], Hiding::This("flexible_mode", 3.0), 5);
+    let found = outcome("one", Rig::Pendulum, NOTHING[2], Hiding::This("flexible_mode", 3.0), 5);
     assert!(all_right(&found), "{:?}: {}", found.said, found.because);
     let (said, hidden) = (&found.said[0], &found.hidden[0]);
     assert_eq!(said.effect, "flexible_mode");

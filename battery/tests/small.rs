@@ -37,7 +37,7 @@ fn a_large_hidden_effect_is_named() {
     assert!(!found.failed, "{}", found.because);
     let said = found.said.first().unwrap_or_else(|| panic!("nothing was named: {}", found.because));
     assert!(right(said, &found, 0), "hidden {:?}, said {:?}", found.hidden, found.said);
-    assert!(found.test_ratio.is_some_and(|r| r < 1.0), "{:?}", found.test_ratio);
+    assert!(found.test_ratio.is_some_and(|r| r <= 1.0), "predicted no worse: {:?}", found.test_ratio);
 }
 
 #[test]
