@@ -165,10 +165,14 @@ pub fn compose(base: &Base, effects: &[Written<'_>], pushed: &[Force]) -> Result
     Ok(files)
 }
 
+/// Coordinates that effects bring.
+fn more_coordinates(effects: &[Written<'_>]) -> usize {
+    effects.iter().filter(|w| !w.screened && matches!(&w.effect.edit, Edit::Map { besides, .. } if !besides.is_empty())).count()
+}
+
 /// A mass matrix that is written down gets an entry for each coordinate more.
 fn diagonal(base: &Base, effects: &[Written<'_>], edits: &mut Vec<(Span, String)>) {
-    let added = |w: &&Written<'_>| !w.screened && matches!(&w.effect.edit, Edit::Map { besides, .. } if !besides.is_empty());
-    let more = ", 1 [kg*m^2]".repeat(effects.iter().filter(added).count());
+    let more = ", 1 [kg*m^2]".repeat(more_coordinates(effects));
     if more.is_empty() {
         return;
     }
@@ -239,9 +243,7 @@ fn inputs(base: &Base, effects: &[Written<'_>], edits: &mut Vec<(Span, String)>)
 fn outputs(base: &Base, effects: &[Written<'_>], edits: &mut Vec<(Span, String)>, more: &mut Vec<String>) -> Result<(), PatchError> {
     let touched = |k: usize| effects.iter().any(|w| matches!(&w.effect.edit, Edit::Output { output, .. } if *output == k));
     // a coordinate more would be measured where no output is said
-    let more_coordinates =
-        effects.iter().any(|w| !w.screened && matches!(&w.effect.edit, Edit::Map { besides, .. } if !besides.is_empty()));
-    if !more_coordinates && !(0..base.rig.outputs.len()).any(touched) {
+    if more_coordinates(effects) == 0 && !(0..base.rig.outputs.len()).any(touched) {
         return Ok(());
     }
     for (k, output) in base.rig.outputs.iter().enumerate() {

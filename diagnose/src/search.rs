@@ -168,20 +168,20 @@ impl State {
         order
     }
 
-    /// The state with candidate `i`, refitted in a hurry from where the screening steps.
+    /// The state with candidate `i`, refitted in a hurry from `from` and from where the screening steps.
     pub fn with(
         &self,
         ask: &Question<'_>,
         left: &[&Effect],
         round: &Round,
-        i: usize,
+        (i, from): (usize, &Fitted),
         (tracks, held): (&mut [Track], &[Track]),
     ) -> Option<Tried> {
         let score = &round.scores[i];
         let step: Vec<f64> = score.step.iter().map(|s| s.0).collect();
         let mut included = self.accepted.clone();
         included.push(include(left[i], &step, untold(score), tracks));
-        self.hurried(ask, included, i, &self.fitted, (tracks, held))
+        self.hurried(ask, included, i, from, (tracks, held))
     }
 
     /// The significant candidates that explain most, refitted in a hurry; the best first.
@@ -215,13 +215,9 @@ impl State {
             let mut included = self.accepted.clone();
             included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
-            let mut found = self.hurried(ask, included, index, &self.fitted, (&mut *tracks, held));
-            if self.fitted.lost {
-                let other = self.begun_anew(ask, left[index], index, (tracks, held));
-                let better = |a: &Tried, b: &Tried| a.value > b.value;
-                found = if other.as_ref().is_some_and(|o| found.as_ref().is_none_or(|f| better(o, f))) { other } else { found };
-            }
-            let Some(found) = found else { continue };
+            let gone_on = self.hurried(ask, included, index, &self.fitted, (&mut *tracks, held));
+            let anew = if self.fitted.lost { self.begun_anew(ask, left[index], index, (tracks, held)) } else { None };
+            let Some(found) = gone_on.into_iter().chain(anew).max_by(|a, b| a.value.total_cmp(&b.value)) else { continue };
             // a resonance that is damped away is none, and casts no shadow on others
             if matches!(left[index].signature, Signature::Resonance(_))
                 && let Some(why) = absurd(&found)
@@ -308,15 +304,11 @@ impl State {
         tracks: &mut [Track],
         held: &[Track],
     ) -> Result<(), DiagnoseError> {
-        let scores = &round.scores[..left.len()];
         thorough(ask, t, (&mut *tracks, held));
         let total = |tried: &Tried, noise: &Noise| total(&tried.prepared, &tried.fitted, noise, held);
         let mut rivals = vec![(t.index, total(t, &t.fitted.found.noise)?)];
         for i in std::mem::take(&mut t.equivalent) {
-            let step: Vec<f64> = scores[i].step.iter().map(|s| s.0).collect();
-            let mut included = self.accepted.clone();
-            included.push(include(left[i], &step, untold(&scores[i]), tracks));
-            let Some(mut rival) = self.hurried(ask, included, i, &t.fitted, (&mut *tracks, held)) else { continue };
+            let Some(mut rival) = self.with(ask, left, round, (i, &t.fitted), (&mut *tracks, held)) else { continue };
             let worth = total(&rival, &t.fitted.found.noise)?;
             let best = rivals[0].1;
             rivals.push((i, worth));

@@ -64,7 +64,7 @@ pub(crate) fn in_place_of(
     let mut rivals: Vec<(f64, Tried)> = Vec::new();
     let likely = without.speaking(ask, &left, &round).into_iter().filter(|&i| !is_own(i) && statistic(i) >= least);
     for i in likely.take(RIVALS) {
-        let Some(rival) = without.with(ask, &left, &round, i, (&mut *tracks, held)) else { continue };
+        let Some(rival) = without.with(ask, &left, &round, (i, &without.fitted), (&mut *tracks, held)) else { continue };
         let own = worth(&rival.prepared, &rival.fitted)?;
         // a hurried fit may lack as much
         if own > before - 2.0 * SEPARATES {

@@ -22,7 +22,7 @@ pub(crate) struct Rejected {
 }
 
 /// What the last model leaves open.
-pub(crate) struct Open {
+pub(crate) struct StillOpen {
     /// A gap that no candidate explains.
     pub left_over: Option<String>,
     /// What the records could not have shown of an effect that was found.
@@ -37,7 +37,7 @@ pub(crate) fn finish(
     state: &State,
     before: &[(String, String, f64, f64)],
     (rejected, last): (&[Rejected], usize),
-    Open { left_over, unseen }: Open,
+    StillOpen { left_over, unseen }: StillOpen,
     train: &[Record],
 ) -> Result<(), DiagnoseError> {
     let specs = &state.prepared.specs;

@@ -9,7 +9,7 @@ use crate::error::DiagnoseError;
 use crate::figures::{self, Measured, View, figures, shrink, view};
 use crate::locate::locate;
 use crate::model::{Prepared, prepare};
-use crate::next::{self, propose};
+use crate::next::{Open, propose};
 use crate::options::{Options, Step};
 use crate::patch::Base;
 use crate::quality::{ahead, integrates, look, mended, mistaken, stride, stride_of_start};
@@ -20,7 +20,7 @@ use crate::together::{Against, Passed};
 use crate::traces;
 use crate::turn::Search;
 use crate::unseen::unseen;
-use crate::verdict::{Open, finish};
+use crate::verdict::{StillOpen, finish};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
 use ident::record::{Record, averaged};
@@ -151,7 +151,7 @@ pub fn diagnose(
             answer.candidates = listed(&left, &round);
             answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
         }
-        open = Open { left_over: round.left_over.clone(), unseen: unseen(&search.current, &left, &round) };
+        open = StillOpen { left_over: round.left_over.clone(), unseen: unseen(&search.current, &left, &round) };
         let full = search.passed.len() >= options.most_effects;
         if options.until == Step::Screen || full || !search.turn((&numbers, &round), &mut tracks)? {
             break;
@@ -221,10 +221,10 @@ fn next_experiment(
     if let Some(k) = answer.findings.iter().position(|f| !f.equivalent.is_empty()) {
         let named = |(id, place): &(String, String)| effects.iter().find(|e| e.id == *id && e.place == *place);
         let rivals = answer.findings[k].equivalent.iter().filter_map(named).collect();
-        return propose(ask, &next::Open { with: current, effect: k, rivals }, tracks);
+        return propose(ask, &Open { with: current, effect: k, rivals }, tracks);
     }
     let with = unconfirmed?;
-    propose(ask, &next::Open { with, effect: with.accepted.len() - 1, rivals: Vec::new() }, tracks)
+    propose(ask, &Open { with, effect: with.accepted.len() - 1, rivals: Vec::new() }, tracks)
 }
 
 /// The noises: `random forces theta 0.006 N*m over 0.2 s; outputs theta 0.0002 rad`.

@@ -6,7 +6,7 @@ use crate::control_change::{self, Change};
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::output::{Answer, number};
-use crate::pages::{self, diagnose::Around, short};
+use crate::pages::{self, brief, diagnose::Around, short, with_unit};
 use crate::write::{permitted, write};
 use diagnose::effects::{Effect, read_own};
 use diagnose::patch::Base;
@@ -203,10 +203,10 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
         let _ = writeln!(text, "{:10} {}", if k == 0 { "where" } else { "" }, place.sentence);
     }
     if !found.candidates.is_empty() {
-        let told = found.candidates.iter().filter(|c| c.status != "not identifiable").count();
-        let _ = writeln!(text, "\n{} candidates, {told} of them could have been seen; the strongest:", found.candidates.len());
+        let could = found.candidates.iter().filter(|c| c.status != "not identifiable").count();
+        let _ = writeln!(text, "\n{} candidates, {could} of them could have been seen; the strongest:", found.candidates.len());
         for c in found.candidates.iter().filter(|c| c.status != "not identifiable").take(6) {
-            let sizes: Vec<String> = c.minimal_detectable.iter().map(|(n, v, u)| format!("{n} {}", sized(*v, u))).collect();
+            let sizes: Vec<String> = c.minimal_detectable.iter().map(|(n, v, u)| format!("{n} {}", with_unit(told(*v), u))).collect();
             let sizes = if sizes.is_empty() { String::new() } else { format!("   smallest that shows: {}", sizes.join(", ")) };
             let shape = c.shape.as_ref().map_or_else(String::new, |s| format!(" ({s})"));
             let _ =
@@ -222,7 +222,7 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
             .iter()
             .map(|v| {
                 let of = v.record.as_ref().map_or_else(String::new, |r| format!(" ({})", short(r)));
-                format!("{} = {} +- {}{of}", v.name, diagnose_digits(v.value), sized(v.sd, &v.unit))
+                format!("{} = {} +- {}{of}", v.name, told(v.value), with_unit(told(v.sd), &v.unit))
             })
             .collect();
         let day = if f.per_record { ", of the day" } else { "" };
@@ -233,8 +233,8 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
             f.effect,
             f.place,
             values.join(", "),
-            diagnose_digits(f.heldout_gain.0),
-            diagnose_digits(f.heldout_gain.1)
+            told(f.heldout_gain.0),
+            told(f.heldout_gain.1)
         );
         if let Some(shape) = &f.shape {
             let _ = writeln!(text, "     {shape}");
@@ -261,8 +261,8 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
                     text,
                     "moved      {} from {} to {}: it had been absorbing what was missing",
                     m.name,
-                    diagnose_digits(m.before.0),
-                    sized(m.after.0, &m.unit)
+                    told(m.before.0),
+                    with_unit(told(m.after.0), &m.unit)
                 );
             }
         }
@@ -275,19 +275,9 @@ fn words(rig: &str, train: &[Record], test: &[Record], found: &Diagnosis) -> Str
     text
 }
 
-/// Three digits are what such numbers are worth.
-fn diagnose_digits(value: f64) -> String {
-    if !value.is_finite() {
-        return "unknown".to_owned();
-    }
-    let short = format!("{value:.2e}");
-    let plain = number(short.parse().unwrap_or(value));
-    if plain.contains('e') { short } else { plain }
-}
-
-/// With its unit, where it has one.
-fn sized(value: f64, unit: &str) -> String {
-    if unit == "1" { diagnose_digits(value) } else { format!("{} {unit}", diagnose_digits(value)) }
+/// A number as the page has it.
+fn told(value: f64) -> String {
+    if value.is_finite() { brief(value) } else { "unknown".to_owned() }
 }
 
 fn document(found: &Diagnosis) -> Value {

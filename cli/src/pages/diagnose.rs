@@ -1,7 +1,7 @@
 //! The page of `rig diagnose`: where, what, how much, and from what.
 
 use super::identify::overlay;
-use super::{bracketed, brief, percent, short, shown, times};
+use super::{bracketed, brief, percent, short, shown, times, with_unit};
 use crate::control_change::Change;
 use crate::output::{number, poles_in_words, prime};
 use diagnose::{Candidate, Diagnosis, Figure, Pushed, Traced, Verdict};
@@ -68,7 +68,8 @@ fn tone(verdict: Verdict) -> Tone {
 }
 
 fn finding(f: &diagnose::Finding) -> String {
-    let values: Vec<String> = f.parameters.iter().map(|v| format!("{} = {} +- {}", v.name, brief(v.value), sized(v.sd, &v.unit))).collect();
+    let values: Vec<String> =
+        f.parameters.iter().map(|v| format!("{} = {} +- {}", v.name, brief(v.value), with_unit(brief(v.sd), &v.unit))).collect();
     format!("{} on {}, {}", f.effect, f.place, values.join(", "))
 }
 
@@ -103,11 +104,6 @@ fn places(found: &Diagnosis, blocks: &mut Vec<Block>) {
         }
         blocks.push(Block::Plots(plots));
     }
-}
-
-/// With its unit, where it has one.
-fn sized(value: f64, unit: &str) -> String {
-    if unit == "1" { brief(value) } else { format!("{} {unit}", brief(value)) }
 }
 
 /// The disturbance against one variable, a colour for each record.
@@ -164,7 +160,7 @@ fn candidates(all: &[Candidate], blocks: &mut Vec<Block>) {
     let longest = all.iter().filter(|c| c.status != "not identifiable").map(|c| c.score).filter(|s| s.is_finite()).fold(0.0, f64::max);
     let row = |c: &Candidate| {
         let sizes: Vec<String> =
-            c.minimal_detectable.iter().filter(|m| m.1.is_finite()).map(|(n, v, u)| format!("{n} {}", sized(*v, u))).collect();
+            c.minimal_detectable.iter().filter(|m| m.1.is_finite()).map(|(n, v, u)| format!("{n} {}", with_unit(brief(*v), u))).collect();
         let shape = c.shape.as_ref().map_or_else(String::new, |s| format!(" ({s})"));
         vec![
             Cell::Bar { share: c.score / longest, text: format!("{:.1}", c.score) },

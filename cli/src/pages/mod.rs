@@ -55,6 +55,11 @@ pub fn brief(value: f64) -> String {
     if text.contains('e') { rounded } else { text }
 }
 
+/// A number with its unit, where it has one.
+pub fn with_unit(number: String, unit: &str) -> String {
+    if unit == "1" { number } else { format!("{number} {unit}") }
+}
+
 /// A number of a table.
 pub fn cell(value: f64) -> Cell {
     Cell::Number(number(value))
