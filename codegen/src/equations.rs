@@ -34,7 +34,7 @@ pub struct Equations {
     pub input_map: Vec<Vec<Id>>,
     /// z'.
     pub lag_rates: Vec<Id>,
-    /// y, with scale and bias, without delay and quantization.
+    /// y, with scale and bias, without delay, play and quantization.
     pub outputs: Vec<Id>,
     /// T; `None` for equations written directly and where assumptions replaced M.
     pub kinetic: Option<Id>,
@@ -64,8 +64,8 @@ pub struct Equations {
     pub trajectories: Vec<(usize, Id, Id)>,
     /// Input paths: limits, and the delay as an expression over parameters.
     pub input_paths: Vec<(Option<(f64, f64)>, Id)>,
-    /// Output paths: delay as an expression over parameters, quantum, wrapped.
-    pub output_paths: Vec<(Id, f64, bool)>,
+    /// Output paths.
+    pub output_paths: Vec<OutputPath>,
     /// Assumptions in words, in the order in which they were applied.
     pub assumptions: Vec<String>,
     /// What the scopes of the graph are about, in words, for comments: (scope, words).
@@ -74,6 +74,19 @@ pub struct Equations {
     pub cross_check: CrossCheck,
     /// Fingerprint of the model (16 hex digits): equal for equal equations, names and values.
     pub hash: String,
+}
+
+/// How an output leaves, after scale and bias: delay, play, encoder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutputPath {
+    /// Delay [s], over parameters.
+    pub delay: Id,
+    /// Whole width of the play, over parameters; zero where there is none.
+    pub play: Id,
+    /// Quantum of the encoder (SI), zero where there is none.
+    pub quantum: f64,
+    /// The encoder reads modulo one turn.
+    pub wrapped: bool,
 }
 
 impl Equations {

@@ -19,7 +19,7 @@ mod regressor;
 mod time_function;
 
 pub use derive::{DeriveError, Options, derive};
-pub use equations::{CrossCheck, Equations, Layout, Linear, OutputVariable, Variable};
+pub use equations::{CrossCheck, Equations, Layout, Linear, OutputPath, OutputVariable, Variable};
 pub use lower::Lumps;
 pub use manifold::{Manifold, NoManifold, manifold};
 pub use numbers::{Definitions, Numbers, definitions};

@@ -129,6 +129,8 @@ rig Everything {
     kinetic rotor: 1/2 * J * (n * beta.dot + alpha.dot)^2;
     potential magnet: k_t * exp(-alpha^2) + k_t * abs(beta) + k_t * atan2(alpha, beta);
     output height: m = l * cos(alpha) { scale 1.02; bias r; delay d; }
+    output turned: deg = alpha - beta { play 0.2deg; }
+    output moved: m = x { play 2 * r; }
     encoder alpha: 4096 zero at -27.5deg;
 }";
 

@@ -923,9 +923,9 @@ impl Model for Aero {
 
     fn output_path(&self, i: usize, _p: &[f64]) -> OutputPath {
         match i {
-            0 => OutputPath { quantum: 0.0015339807878856412, wrapped: false, delay: 0.0 },
-            1 => OutputPath { quantum: 0.0030679615757712823, wrapped: false, delay: 0.0 },
-            _ => OutputPath { delay: 0.0, quantum: 0.0, wrapped: false },
+            0 => OutputPath { quantum: 0.0015339807878856412, wrapped: false, delay: 0.0, play: 0.0 },
+            1 => OutputPath { quantum: 0.0030679615757712823, wrapped: false, delay: 0.0, play: 0.0 },
+            _ => OutputPath { delay: 0.0, play: 0.0, quantum: 0.0, wrapped: false },
         }
     }
 }

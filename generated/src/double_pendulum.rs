@@ -1085,9 +1085,9 @@ impl Model for DoublePendulum {
 
     fn output_path(&self, i: usize, _p: &[f64]) -> OutputPath {
         match i {
-            0 => OutputPath { quantum: 0.0, wrapped: false, delay: 0.0 },
-            1 => OutputPath { quantum: 0.0, wrapped: false, delay: 0.0 },
-            _ => OutputPath { delay: 0.0, quantum: 0.0, wrapped: false },
+            0 => OutputPath { quantum: 0.0, wrapped: false, delay: 0.0, play: 0.0 },
+            1 => OutputPath { quantum: 0.0, wrapped: false, delay: 0.0, play: 0.0 },
+            _ => OutputPath { delay: 0.0, play: 0.0, quantum: 0.0, wrapped: false },
         }
     }
 }

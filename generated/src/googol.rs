@@ -1420,10 +1420,10 @@ impl Model for Googol {
 
     fn output_path(&self, i: usize, _p: &[f64]) -> OutputPath {
         match i {
-            0 => OutputPath { quantum: 0.001308996938995747, wrapped: false, delay: 0.0 },
-            1 => OutputPath { quantum: 0.002617993877991494, wrapped: false, delay: 0.0 },
-            2 => OutputPath { quantum: 0.002617993877991494, wrapped: false, delay: 0.0 },
-            _ => OutputPath { delay: 0.0, quantum: 0.0, wrapped: false },
+            0 => OutputPath { quantum: 0.001308996938995747, wrapped: false, delay: 0.0, play: 0.0 },
+            1 => OutputPath { quantum: 0.002617993877991494, wrapped: false, delay: 0.0, play: 0.0 },
+            2 => OutputPath { quantum: 0.002617993877991494, wrapped: false, delay: 0.0, play: 0.0 },
+            _ => OutputPath { delay: 0.0, play: 0.0, quantum: 0.0, wrapped: false },
         }
     }
 }

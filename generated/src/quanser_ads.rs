@@ -1643,11 +1643,11 @@ impl Model for QuanserAds {
 
     fn output_path(&self, i: usize, _p: &[f64]) -> OutputPath {
         match i {
-            0 => OutputPath { quantum: 0.0007669903939428206, wrapped: false, delay: 0.0 },
-            1 => OutputPath { quantum: 0.0015339807878856412, wrapped: false, delay: 0.0 },
-            2 => OutputPath { quantum: 0.0015339807878856412, wrapped: false, delay: 0.0 },
-            3 => OutputPath { quantum: 2.0671407309409624e-6, wrapped: false, delay: 0.0 },
-            _ => OutputPath { delay: 0.0, quantum: 0.0, wrapped: false },
+            0 => OutputPath { quantum: 0.0007669903939428206, wrapped: false, delay: 0.0, play: 0.0 },
+            1 => OutputPath { quantum: 0.0015339807878856412, wrapped: false, delay: 0.0, play: 0.0 },
+            2 => OutputPath { quantum: 0.0015339807878856412, wrapped: false, delay: 0.0, play: 0.0 },
+            3 => OutputPath { quantum: 2.0671407309409624e-6, wrapped: false, delay: 0.0, play: 0.0 },
+            _ => OutputPath { delay: 0.0, play: 0.0, quantum: 0.0, wrapped: false },
         }
     }
 }

@@ -242,31 +242,31 @@ impl Model for InProcess {
     fn input_path(&self, i: usize, p: &[f64]) -> InputPath {
         let e = &self.equations;
         let limits = e.input_paths.get(i).and_then(|path| path.0).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        InputPath { limits, delay: self.delay(i, p) }
+        let delay = if i < e.input_paths.len() { self.path_values(p)[i] } else { 0.0 };
+        InputPath { limits, delay }
     }
 
     fn output_path(&self, i: usize, p: &[f64]) -> OutputPath {
         let e = &self.equations;
-        let (_, quantum, wrapped) = e.output_paths[i];
-        OutputPath { delay: self.delay(e.input_paths.len() + i, p), quantum, wrapped }
+        let codegen::OutputPath { quantum, wrapped, .. } = e.output_paths[i];
+        let values = self.path_values(p);
+        let (_, outputs) = values.split_at(e.input_paths.len());
+        OutputPath { delay: outputs[i], play: outputs[e.output_paths.len() + i], quantum, wrapped }
     }
 }
 
 impl InProcess {
-    /// Delay k of the input paths, then of the output paths [s].
-    fn delay(&self, k: usize, p: &[f64]) -> f64 {
+    /// Delays of the input paths [s], delays of the output paths [s], plays of the output paths.
+    fn path_values(&self, p: &[f64]) -> Vec<f64> {
         let e = &self.equations;
-        let count = e.input_paths.len() + e.output_paths.len();
-        if k >= count {
-            return 0.0;
-        }
         let program = self.paths.get_or_init(|| {
-            let roots: Vec<Id> = e.input_paths.iter().map(|p| p.1).chain(e.output_paths.iter().map(|p| p.0)).collect();
+            let outputs = e.output_paths.iter().map(|path| path.delay).chain(e.output_paths.iter().map(|path| path.play));
+            let roots: Vec<Id> = e.input_paths.iter().map(|path| path.1).chain(outputs).collect();
             self.program([&roots, &[], &[]], &[])
         });
-        let mut values = vec![0.0; count];
+        let mut values = vec![0.0; e.input_paths.len() + 2 * e.output_paths.len()];
         never_singular(program.run(Arguments { t: 0.0, x: &[], u: &[], p }, [&mut values, &mut [], &mut []]));
-        values[k]
+        values
     }
 }
 

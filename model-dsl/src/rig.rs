@@ -443,7 +443,7 @@ pub struct Equation {
     pub span: Span,
 }
 
-/// A measured output: y = encoder(scale * value(t - delay) + bias).
+/// A measured output: y = encoder(play(scale * value(t - delay) + bias)).
 #[derive(Clone, Debug)]
 pub struct Output {
     /// Name.
@@ -458,6 +458,8 @@ pub struct Output {
     pub bias: Option<Expr>,
     /// Delay [s].
     pub delay: Option<Expr>,
+    /// Whole width of the play (backlash) between the value and its sensor, in the output's unit.
+    pub play: Option<Expr>,
     /// Quantization.
     pub encoder: Option<Encoder>,
     /// Where it was declared.

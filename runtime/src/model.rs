@@ -88,11 +88,14 @@ pub struct InputPath {
     pub delay: f64,
 }
 
-/// The path by which output i leaves, after `outputs` (which applies scale and bias): delay, then encoder.
+/// The path by which output i leaves, after `outputs` (which applies scale and bias): delay, then play, then encoder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutputPath {
     /// Delay [s].
     pub delay: f64,
+    /// Whole width W of the play between value and sensor (SI), zero where there is none: the reading r stands until the
+    /// value y has gone through the play, r = clamp(r, y - W/2, y + W/2), and begins in its middle.
+    pub play: f64,
     /// Quantum of the encoder (SI), zero where there is none.
     pub quantum: f64,
     /// The encoder reads modulo one turn.
@@ -151,7 +154,7 @@ pub trait Model: Sync {
     fn pivots(&self, _t: f64, _x: &[f64], _p: &[f64], _d: &mut [f64]) -> bool {
         false
     }
-    /// y = h(t, x, p), without delay and quantization.
+    /// y = h(t, x, p), without delay, play and quantization.
     fn outputs(&self, t: f64, x: &[f64], p: &[f64], y: &mut [f64]);
     /// C = dh/dx (outputs x states), dh/dp (outputs x parameters).
     fn output_jacobian(&self, t: f64, x: &[f64], p: &[f64], c: &mut [f64], dhdp: &mut [f64]);

@@ -18,10 +18,10 @@ mod tests {
 
     #[test]
     fn counts_and_turns() {
-        let plain = OutputPath { delay: 0.0, quantum: 0.25, wrapped: false };
+        let plain = OutputPath { delay: 0.0, play: 0.0, quantum: 0.25, wrapped: false };
         assert_eq!(encoder(0.3, &plain), 0.25);
         assert_eq!(encoder(-0.4, &plain), -0.5);
-        let wrapped = OutputPath { delay: 0.0, quantum: 0.0, wrapped: true };
+        let wrapped = OutputPath { delay: 0.0, play: 0.0, quantum: 0.0, wrapped: true };
         assert!((encoder(TAU + 0.5, &wrapped) - 0.5).abs() < 1e-15);
         assert!((encoder(-TAU - 0.5, &wrapped) + 0.5).abs() < 1e-15);
         assert!((encoder(PI + 0.1, &wrapped) - (0.1 - PI)).abs() < 1e-15);

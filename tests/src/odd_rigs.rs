@@ -36,7 +36,8 @@ rig Everything {
     spring coil on sin { stiffness 0.3 [N*m]; rest 0.1; }
 
     encoder θ: 4096 zero at -27.5deg wrapped;
-    output height: m = type * sin(θ) { scale 1.02; delay 3 * wait; }
+    output height: m = type * sin(θ) { scale 1.02; delay 3 * wait; play 0.01 * type; }
+    output lift: m = r + 0.5 * type * sin(θ) { play 2 mm; }
 }
 ";
 

@@ -25,8 +25,9 @@ fn all(model: &dyn Model, point: &Point) -> Vec<Vec<f64>> {
     assert!(model.parameter_jacobian(t, x, u, p, &mut by_p).is_ok());
     model.outputs(t, x, p, &mut y);
     model.output_jacobian(t, x, p, &mut c, &mut dhdp);
-    let delays = (0..s.inputs).map(|i| model.input_path(i, p).delay).chain((0..ny).map(|i| model.output_path(i, p).delay)).collect();
-    vec![dx, dx_too, a, b, by_p, y, c, dhdp, delays]
+    let delays = (0..s.inputs).map(|i| model.input_path(i, p).delay).collect();
+    let ways = (0..ny).map(|i| model.output_path(i, p)).flat_map(|path| [path.delay, path.play, path.quantum]).collect();
+    vec![dx, dx_too, a, b, by_p, y, c, dhdp, delays, ways]
 }
 
 /// The same as a program over the emitted module.
@@ -52,8 +53,9 @@ fn program(name: &str, points: &[Point]) -> String {
         model.parameter_jacobian(*t, x, u, p, &mut by_p).unwrap();
         model.outputs(*t, x, p, &mut y);
         model.output_jacobian(*t, x, p, &mut c, &mut dhdp);
-        let delays: Vec<f64> = (0..s.inputs).map(|i| model.input_path(i, p).delay).chain((0..ny).map(|i| model.output_path(i, p).delay)).collect();
-        for value in [dx, dx_too, a, b, by_p, y, c, dhdp, delays].concat() {{
+        let delays: Vec<f64> = (0..s.inputs).map(|i| model.input_path(i, p).delay).collect();
+        let ways: Vec<f64> = (0..ny).map(|i| model.output_path(i, p)).flat_map(|path| [path.delay, path.play, path.quantum]).collect();
+        for value in [dx, dx_too, a, b, by_p, y, c, dhdp, delays, ways].concat() {{
             println!(\"{{value:?}}\");
         }}
     }}

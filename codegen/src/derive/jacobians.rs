@@ -3,7 +3,7 @@
 
 use super::parts::Parts;
 use super::{Options, fingerprint};
-use crate::equations::{CrossCheck, Equations, Layout, Linear};
+use crate::equations::{CrossCheck, Equations, Layout, Linear, OutputPath};
 use crate::expr::{Derivative, Differentiable, F1, Graph, Id, Node, SymbolId};
 use crate::lower::Lowering;
 use crate::mechanics::solve::{Factor, factor};
@@ -116,11 +116,12 @@ pub fn complete(
         .iter()
         .map(|o| {
             let delay = o.delay.as_ref().map_or(zero, |d| lowering.expr(g, d));
+            let play = o.play.as_ref().map_or(zero, |w| lowering.expr(g, w));
             let (quantum, wrapped) = o.encoder.as_ref().map_or((0.0, false), |e| {
                 let turn = if o.unit.text == "m" { 1.0 } else { std::f64::consts::TAU };
                 (turn / e.counts, e.wrapped)
             });
-            (delay, quantum, wrapped)
+            OutputPath { delay, play, quantum, wrapped }
         })
         .collect();
 

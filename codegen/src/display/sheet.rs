@@ -189,6 +189,13 @@ fn notes(rig: &Rig, e: &Equations) -> Vec<String> {
         if let Some(delay) = &output.delay {
             notes.push(format!("{} is measured {} late", output.name, seconds(delay)));
         }
+        if let Some(play) = &output.play {
+            let width = match play {
+                Expr::Number(x) => format!("{} {}", Number::of(x / output.unit.factor).decimal_text(), output.unit.text),
+                other => text(&Tree::of_expr(rig, other)),
+            };
+            notes.push(format!("{} is read with a play of {width}", output.name));
+        }
     }
     let forward = e.forward_operations();
     let operations = if e.linear.a.is_empty() {

@@ -152,11 +152,16 @@ impl Writer<'_> {
     }
 
     fn output(&self, o: &Output) -> Value {
-        json!({
+        let mut output = json!({
             "name": o.name, "unit": o.unit.text, "value": self.expr(&o.value), "scale": self.maybe(o.scale.as_ref()),
             "bias": self.maybe(o.bias.as_ref()), "delay": self.maybe(o.delay.as_ref()),
             "encoder": o.encoder.as_ref().map(|e| json!({ "counts": e.counts, "zero": self.maybe(e.zero.as_ref()), "wrapped": e.wrapped })),
-        })
+        });
+        // not null without one: the fingerprint of a rig that has no play stays what it was
+        if let Some(play) = &o.play {
+            output["play"] = self.expr(play);
+        }
+        output
     }
 
     fn trim(&self, t: &Trim) -> Value {

@@ -264,14 +264,11 @@ pub fn functions(e: &Equations) -> Vec<Function> {
         array("r", "M a + h + d - Q".into(), &e.inverse_dynamics),
     );
     if !l.outputs.is_empty() {
+        let play = e.output_paths.iter().any(|path| e.graph.number_of(path.play) != Some(0.0));
+        let left_out = if play { "delay, play and quantization" } else { "delay and quantization" };
         let output =
             Output { name: "y", doc: "y".into(), shape: Shape::Named(Vector::Outputs), roots: e.outputs.clone(), rows: Vec::new() };
-        simple(
-            "outputs",
-            vec!["Measured outputs y(x), with scale and bias, without delay and quantization.".into()],
-            &[State, Parameters],
-            output,
-        );
+        simple("outputs", vec![format!("Measured outputs y(x), with scale and bias, without {left_out}.")], &[State, Parameters], output);
     }
     if !e.pivots.is_empty() {
         simple(

@@ -3,7 +3,7 @@
 use super::form::{Form, Rank, number};
 use super::functions::Vector;
 use super::plan::plan;
-use super::rust::{Fields, type_of, unit, write_list};
+use super::rust::{Fields, WIDTH, type_of, unit, write_list};
 use crate::equations::Equations;
 use crate::expr::Id;
 use std::collections::BTreeSet;
@@ -166,21 +166,24 @@ pub fn write(out: &mut String, e: &Equations, fields: &Fields, calls: &mut BTree
         out.push_str("\n    fn outputs(&self, _t: f64, _x: &[f64], _p: &[f64], _y: &mut [f64]) {}\n");
         out.push_str("\n    fn output_jacobian(&self, _t: f64, _x: &[f64], _p: &[f64], _c: &mut [f64], _dhdp: &mut [f64]) {}\n");
     }
-    let inputs: Vec<(String, Id)> = e
+    let inputs: Vec<PathEntry> = e
         .input_paths
         .iter()
         .map(|(limits, delay)| {
             let (lo, hi) = limits.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-            (format!("limits: ({}, {}), ", bound(lo), bound(hi)), *delay)
+            PathEntry { fixed: vec![format!("limits: ({}, {})", bound(lo), bound(hi))], values: vec![("delay", *delay)] }
         })
         .collect();
     path(out, e, fields, calls, "input_path", "InputPath", &inputs, "limits: (f64::NEG_INFINITY, f64::INFINITY), delay: 0.0");
-    let outputs: Vec<(String, Id)> = e
+    let outputs: Vec<PathEntry> = e
         .output_paths
         .iter()
-        .map(|(delay, quantum, wrapped)| (format!("quantum: {}, wrapped: {wrapped}, ", number(*quantum)), *delay))
+        .map(|path| PathEntry {
+            fixed: vec![format!("quantum: {}", number(path.quantum)), format!("wrapped: {}", path.wrapped)],
+            values: vec![("delay", path.delay), ("play", path.play)],
+        })
         .collect();
-    path(out, e, fields, calls, "output_path", "OutputPath", &outputs, "delay: 0.0, quantum: 0.0, wrapped: false");
+    path(out, e, fields, calls, "output_path", "OutputPath", &outputs, "delay: 0.0, play: 0.0, quantum: 0.0, wrapped: false");
     out.push_str("}\n");
 }
 
@@ -194,6 +197,14 @@ fn bound(x: f64) -> String {
     }
 }
 
+/// One arm of a path function.
+struct PathEntry {
+    /// Fields that are known, as text.
+    fixed: Vec<String>,
+    /// Fields over parameters.
+    values: Vec<(&'static str, Id)>,
+}
+
 /// One of the two path functions: a match over the entries.
 #[allow(clippy::too_many_arguments)]
 fn path(
@@ -203,10 +214,10 @@ fn path(
     calls: &mut BTreeSet<&'static str>,
     name: &str,
     record: &str,
-    paths: &[(String, Id)],
+    paths: &[PathEntry],
     none: &str,
 ) {
-    let reads = paths.iter().any(|(_, delay)| e.graph.number_of(*delay).is_none());
+    let reads = paths.iter().flat_map(|path| &path.values).any(|(_, value)| e.graph.number_of(*value).is_none());
     let p = if reads { "p" } else { "_p" };
     let i = if paths.is_empty() { "_i" } else { "i" };
     let _ = writeln!(out, "\n    fn {name}(&self, {i}: usize, {p}: &[f64]) -> {record} {{");
@@ -218,19 +229,36 @@ fn path(
         out.push_str("        let p = Parameters::from_array(runtime::array(p));\n");
     }
     out.push_str("        match i {\n");
-    for (k, (others, delay)) in paths.iter().enumerate() {
-        let plan = plan(&e.graph, &fields.vocabulary(e), fields.within(), &[*delay]);
+    for (k, path) in paths.iter().enumerate() {
+        let roots: Vec<Id> = path.values.iter().map(|(_, value)| *value).collect();
+        let plan = plan(&e.graph, &fields.vocabulary(e), fields.within(), &roots);
         calls.extend(plan.calls.iter().copied());
-        let value: Vec<String> = plan.results.iter().map(Form::text).collect();
+        let values = path.values.iter().zip(&plan.results).map(|((key, _), form)| format!("{key}: {}", form.text()));
+        let members: Vec<String> = path.fixed.iter().cloned().chain(values).collect();
         if plan.statements.is_empty() {
-            let _ = writeln!(out, "            {k} => {record} {{ {others}delay: {} }},", value.concat());
+            write_literal(out, 12, &format!("{k} => {record}"), &members, ",");
         } else {
             let _ = writeln!(out, "            {k} => {{");
             for statement in &plan.statements {
                 super::rust::write_statement(out, statement, 16);
             }
-            let _ = writeln!(out, "                {record} {{ {others}delay: {} }}\n            }}", value.concat());
+            write_literal(out, 16, record, &members, "");
+            out.push_str("            }\n");
         }
     }
     let _ = writeln!(out, "            _ => {record} {{ {none} }},\n        }}\n    }}");
+}
+
+/// head { members }tail, on one line where it is short enough.
+fn write_literal(out: &mut String, indent: usize, head: &str, members: &[String], tail: &str) {
+    let line = format!("{:indent$}{head} {{ {} }}{tail}", "", members.join(", "));
+    if line.chars().count() <= WIDTH {
+        let _ = writeln!(out, "{line}");
+        return;
+    }
+    let _ = writeln!(out, "{:indent$}{head} {{", "");
+    for member in members {
+        let _ = writeln!(out, "{:indent$}    {member},", "");
+    }
+    let _ = writeln!(out, "{:indent$}}}{tail}", "");
 }

@@ -143,6 +143,6 @@ impl runtime::Model for Pendulum {
         runtime::InputPath { limits: (-10.0, 10.0), delay: 0.0 }
     }
     fn output_path(&self, _: usize, _: &[f64]) -> runtime::OutputPath {
-        runtime::OutputPath { delay: 0.0, quantum: 0.0, wrapped: false }
+        runtime::OutputPath { delay: 0.0, play: 0.0, quantum: 0.0, wrapped: false }
     }
 }

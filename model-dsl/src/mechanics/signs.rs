@@ -27,6 +27,14 @@ const DELAY: Rule = Rule { keywords: IN, key: "delay", what: "delay", zero: true
 const DEAD_ZONE: Rule =
     Rule { keywords: IN, key: "dead_zone", what: "dead zone", zero: true, unit: "", help: "its half width is a positive number" };
 const OUTPUT_DELAY: Rule = Rule { keywords: &["output"], ..DELAY };
+const PLAY: Rule = Rule {
+    keywords: &["output"],
+    key: "play",
+    what: "play",
+    zero: true,
+    unit: "",
+    help: "its whole width, from one stop to the other, is a positive number",
+};
 const WIDTH: Rule = Rule {
     keywords: &["friction"],
     key: "width",
@@ -67,6 +75,7 @@ pub(super) fn check(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) {
     }
     for o in &c.rig.outputs {
         positive(OUTPUT_DELAY, o.delay.as_ref(), &o.name, o.span);
+        positive(PLAY, o.play.as_ref(), &o.name, o.span);
     }
     for f in &c.rig.frictions {
         positive(WIDTH, f.width.as_ref(), &f.name, f.span);

@@ -228,7 +228,7 @@ fn alive(c: &Context<'_>) -> BTreeSet<usize> {
     }
     for o in &rig.outputs {
         see(&o.value);
-        [&o.scale, &o.bias, &o.delay].into_iter().flatten().for_each(&mut see);
+        [&o.scale, &o.bias, &o.delay, &o.play].into_iter().flatten().for_each(&mut see);
         o.encoder.iter().filter_map(|e| e.zero.as_ref()).for_each(&mut see);
     }
     rig.trims.iter().flat_map(|t| &t.fixed).for_each(|(_, e)| see(e));

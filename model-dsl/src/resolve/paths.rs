@@ -127,7 +127,8 @@ impl Resolver<'_> {
         let Some(unit) = self.checker().unit(unit) else { return };
         let value = self.expect(value, unit.dimension, "this output", Allowed::Motion);
         let name = s.name.text.clone();
-        let mut out = Output { name, unit: unit.clone(), value, scale: None, bias: None, delay: None, encoder: None, span: s.name.span };
+        let mut out =
+            Output { name, unit: unit.clone(), value, scale: None, bias: None, delay: None, play: None, encoder: None, span: s.name.span };
         self.entries(s, entries, &[]);
         for e in entries {
             let v = &e.values[0];
@@ -135,8 +136,9 @@ impl Resolver<'_> {
                 "scale" => out.scale = Some(self.expect(v, Dimension::NONE, "a scale", Allowed::Parameters)),
                 "bias" => out.bias = Some(self.expect(v, unit.dimension, "this bias", Allowed::Trajectory)),
                 "delay" => out.delay = Some(self.expect(v, Dimension::TIME, "a delay", Allowed::Parameters)),
+                "play" => out.play = Some(self.expect(v, unit.dimension, "this play", Allowed::Parameters)),
                 "encoder" => out.encoder = self.encoder(e, unit.dimension),
-                _ => self.entry_error(e, "scale S, bias B, delay T, encoder COUNTS [zero at Z] [wrapped]"),
+                _ => self.entry_error(e, "scale S, bias B, delay T, play W, encoder COUNTS [zero at Z] [wrapped]"),
             }
         }
         self.output(out, s);
@@ -252,6 +254,7 @@ pub(super) fn plain_output(c: &Coordinate, i: usize) -> Output {
         scale: None,
         bias: None,
         delay: None,
+        play: None,
         encoder: None,
         span: c.span,
     }

@@ -11,7 +11,7 @@ pub trait Equations: Sync {
     const PARAMETERS: usize = 1;
     const LIMITS: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
     const DELAY: f64 = 0.0;
-    const OUTPUT_PATH: OutputPath = OutputPath { delay: 0.0, quantum: 0.0, wrapped: false };
+    const OUTPUT_PATH: OutputPath = OutputPath { delay: 0.0, play: 0.0, quantum: 0.0, wrapped: false };
     fn rhs(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular>;
     fn slopes(&self, _t: f64, _x: &[f64], _u: &[f64], _p: &[f64], _a: &mut [f64], _b: &mut [f64], _dp: &mut [f64]) {}
 }
@@ -149,7 +149,7 @@ impl Equations for Paths {
     const COORDINATES: usize = 1;
     const LIMITS: (f64, f64) = (-1.0, 1.0);
     const DELAY: f64 = 0.125;
-    const OUTPUT_PATH: OutputPath = OutputPath { delay: 0.25, quantum: 0.01, wrapped: false };
+    const OUTPUT_PATH: OutputPath = OutputPath { delay: 0.25, play: 0.0, quantum: 0.01, wrapped: false };
     fn rhs(&self, _t: f64, x: &[f64], u: &[f64], _p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
         dx.copy_from_slice(&[x[1], u[0]]);
         Ok(())
