@@ -18,6 +18,8 @@ pub struct Condition {
     pub closed: bool,
     /// Share of the usual command.
     pub reach: f64,
+    /// Samples of each record, where they are fewer than usual.
+    pub samples: Option<usize>,
     /// What is wrong with the records.
     pub fault: Option<Fault>,
 }
@@ -48,7 +50,7 @@ pub enum Fault {
 }
 
 const fn open(name: &'static str, pushes: Pushes, level: f64) -> Condition {
-    Condition { name, pushes, level, closed: false, reach: 1.0, fault: None }
+    Condition { name, pushes, level, closed: false, reach: 1.0, samples: None, fault: None }
 }
 
 const fn faulty(name: &'static str, fault: Fault) -> Condition {
@@ -76,7 +78,7 @@ pub const BAD: [Condition; 7] = [
     faulty("dead", Fault::Dead),
     faulty("many-outliers", Fault::ManyOutliers),
     faulty("other-rig", Fault::OtherRig),
-    faulty("short", Fault::Short),
+    Condition { samples: Some(100), ..faulty("short", Fault::Short) },
     Condition { reach: 1e-4, level: 0.0, ..faulty("quiet", Fault::Quiet) },
 ];
 

@@ -186,7 +186,6 @@ fn base(rig: Rig) -> Result<Base, String> {
 /// Two training records and a test record with another excitation.
 #[must_use]
 pub fn experiments(bench: &Bench, plant: &Plant, condition: &Condition, seed: u64) -> Vec<Samples> {
-    let short = |n| if condition.fault == Some(Fault::Short) { 100 } else { n };
     let kinds = [(Excitation::Steps, TRAIN), (Excitation::Sines, TRAIN), (Excitation::Chirp, TEST)];
     let mut all = Vec::new();
     for (k, (kind, samples)) in kinds.into_iter().enumerate() {
@@ -194,7 +193,7 @@ pub fn experiments(bench: &Bench, plant: &Plant, condition: &Condition, seed: u6
         if condition.fault == Some(Fault::OfTheDay) && k < 2 {
             plant.joints[0].constant += 0.06 * bench.strong[0];
         }
-        all.push(experiment(bench, &plant, condition, kind, short(samples), seed.wrapping_mul(7).wrapping_add(k as u64)));
+        all.push(experiment(bench, &plant, condition, kind, condition.samples.unwrap_or(samples), seed.wrapping_mul(7).wrapping_add(k as u64)));
     }
     all
 }

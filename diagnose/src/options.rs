@@ -1,6 +1,7 @@
 //! The choices of a diagnosis.
 
 use crate::effects::Effect;
+use crate::screen::UNIQUE;
 use sim::Hold;
 
 /// Choices of a diagnosis.
@@ -40,6 +41,14 @@ pub struct Method {
     pub other_records: bool,
     /// Effects that the fitted parameters eat are set aside.
     pub absorption: bool,
+}
+
+impl Method {
+    /// Least share of an effect that the fitted parameters must leave for it to be asked for.
+    #[must_use]
+    pub fn unique(&self) -> f64 {
+        if self.absorption { UNIQUE } else { 0.0 }
+    }
 }
 
 impl Default for Method {

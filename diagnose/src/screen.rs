@@ -67,6 +67,8 @@ pub struct ScreenOptions {
     pub family: f64,
     /// Seed of the draws.
     pub seed: u64,
+    /// Least share of a signature that the fitted parameters must leave.
+    pub unique: f64,
 }
 
 /// Scores all candidates, one entry for each, at the fitted parameters `p` of each record.
@@ -198,7 +200,7 @@ pub fn screen(
     let mut scores = Vec::new();
     let mut tests = Vec::new();
     for range in &own {
-        let test = Test::new(&all, &whole, range.clone());
+        let test = Test::new(&all, &whole, range.clone(), options.unique);
         scores.push(score(&test, &residual, m, &innovation, &record_of, &time_of));
         tests.push(test);
     }
@@ -328,10 +330,11 @@ struct Test {
     inverse: DMatrix<f64>,
     degrees: usize,
     unique: f64,
+    least: f64,
 }
 
 impl Test {
-    fn new(all: &DMatrix<f64>, whole: &[f64], range: std::ops::Range<usize>) -> Self {
+    fn new(all: &DMatrix<f64>, whole: &[f64], range: std::ops::Range<usize>, least: f64) -> Self {
         let k = range.len();
         let normal = DMatrix::from_fn(k, k, |i, j| all[(range.start + i, range.start + j)]);
         let scale: Vec<f64> = range.clone().map(|i| if whole[i] > 0.0 { whole[i].sqrt().recip() } else { 0.0 }).collect();
@@ -351,11 +354,11 @@ impl Test {
                 }
             }
         }
-        Self { range, normal, inverse, degrees, unique }
+        Self { range, normal, inverse, degrees, unique, least }
     }
 
     fn speaks(&self) -> bool {
-        self.degrees > 0 && self.unique >= UNIQUE
+        self.degrees > 0 && self.unique >= self.least
     }
 
     fn statistic(&self, b: &DVector<f64>) -> f64 {

@@ -55,12 +55,10 @@ pub(crate) struct Round {
 }
 
 impl State {
-    /// Effects that can still be asked for, by their numbers. Where friction is dry there is no play to be told from it: its smooth law turns
-    /// as softly as play does.
+    /// Effects that can still be asked for, by their numbers.
     pub fn open(&self, effects: &[Effect]) -> Vec<usize> {
-        let has = |ids: &[&str], place: &str| self.accepted.iter().any(|a| ids.contains(&a.effect.id.as_str()) && a.effect.place == place);
-        let rubs = |e: &Effect| e.id == "backlash" && has(&["coulomb", "stribeck"], &e.place);
-        (0..effects.len()).filter(|&i| !has(&[effects[i].id.as_str()], &effects[i].place) && !rubs(&effects[i])).collect()
+        let has = |id: &str, place: &str| self.accepted.iter().any(|a| a.effect.id == id && a.effect.place == place);
+        (0..effects.len()).filter(|&i| !has(effects[i].id.as_str(), &effects[i].place)).collect()
     }
 
     pub fn free_parameters(&self) -> Vec<(String, String, f64, f64)> {
@@ -108,7 +106,7 @@ impl State {
                 _ => seen.push(Seen::Effect(e, texts.of_effect[column[k]].clone())),
             }
         }
-        let choices = ScreenOptions { family: options.family, seed: options.seed };
+        let choices = ScreenOptions { family: options.family, seed: options.seed, unique: options.method.unique() };
         let of_test: Vec<Vec<f64>> = self.fitted.of_test.iter().take(held.len()).map(|p| carried(p)).collect();
         let begun: Vec<Track> = held.iter().zip(&of_test).map(|(track, p)| track.begun(&texts.model, p)).collect();
         // a test record that cannot be followed shows nothing
@@ -129,7 +127,7 @@ impl State {
         let begun = held.iter().zip(&self.fitted.of_test).map(|(track, p)| track.begun(&self.prepared.model, p));
         let all: Vec<Track> = tracks.iter().cloned().chain(begun).collect();
         let p: Vec<Vec<f64>> = self.fitted.found.p.iter().chain(&self.fitted.of_test).cloned().collect();
-        let choices = ScreenOptions { family: options.family, seed: options.seed };
+        let choices = ScreenOptions { family: options.family, seed: options.seed, unique: options.method.unique() };
         let of = |(included, coefficients): (&Included, &Vec<usize>)| {
             let seen = uneven(&self.prepared, &scales, &included.effect, coefficients);
             let noise = &self.fitted.found.noise;
@@ -151,7 +149,7 @@ impl State {
         let worth = |s: &Score| s.statistic - 2.0 * spent(s.degrees, self.fitted.found.samples);
         let speaks = |s: &Score| {
             let beyond_chance = if options.method.family { s.p_family < options.family } else { worth(s) > 0.0 };
-            beyond_chance && (s.unique_fraction >= UNIQUE || !options.method.absorption)
+            beyond_chance && s.unique_fraction >= options.method.unique()
         };
         let mut order: Vec<usize> = (0..left.len()).filter(|&i| speaks(&scores[i]) && !wrong_sign(left[i], &scores[i])).collect();
         order.sort_by(|&a, &b| worth(&scores[b]).total_cmp(&worth(&scores[a])));

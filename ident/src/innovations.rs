@@ -21,6 +21,7 @@ mod filter;
 mod identify;
 mod joint;
 mod noise;
+mod play;
 mod smooth;
 mod transition;
 

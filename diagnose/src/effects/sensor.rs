@@ -1,13 +1,9 @@
 //! Effects on the way from a motion to its measured value.
 
-use super::joint::is_dry;
-use super::unit::{Text, is_angle, of_coordinate, of_rate};
-use super::{Edit, Effect, EffectParameter, LARGEST, Names, Scales, Signature, at_most, parameter, rounded};
+use super::unit::{Text, is_angle};
+use super::{Edit, Effect, EffectParameter, LARGEST, Names, Scales, Signature, at_most, parameter};
 use model_dsl::rig::{Expr, Output, Rig, Symbol};
 use std::f64::consts::TAU;
-
-/// Width of the smooth sign by which play follows the rate, in parts of a typical rate.
-const TURNS: f64 = 0.03;
 
 pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut Vec<Effect>) {
     for (output, y) in rig.outputs.iter().enumerate() {
@@ -19,7 +15,7 @@ pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut V
             out.push(Effect { id: id.to_owned(), place, parameters: vec![p], shape: None, edit, signature, of_the_day, by_record: false });
         };
         let name = names.free(&format!("y_0_{}", y.name));
-        let p = EffectParameter { most: farthest(rig, scales, y), ..parameter(&name, unit_text, false, "zero of the sensor") };
+        let p = EffectParameter { most: farthest(rig, scales, y), ..parameter(&name, unit_text.clone(), false, "zero of the sensor") };
         add("sensor_bias", y.name.clone(), p, "bias", Signature::Parameters, true);
         let name = names.free(&format!("s_y_{}", y.name));
         let p = at_most(LARGEST, parameter(&name, "1".to_owned(), false, "relative error of the sensor's scale"));
@@ -30,25 +26,10 @@ pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut V
         let name = names.free(&format!("r_y_{}", y.name));
         let p = parameter(&name, unit.by(&Text::read("s"), -1).text(), false, "drift of the sensor");
         add("sensor_drift", y.name.clone(), p, "drift", Signature::Parameters, true);
+        let name = names.free(&format!("w_{}", y.name));
+        let p = parameter(&name, unit_text, true, "play between joint and sensor");
+        add("backlash", y.name.clone(), p, "play", Signature::Parameters, false);
         let Expr::Symbol(Symbol::Coordinate(own)) = y.value else { continue };
-        // play between joint and sensor: the reading hangs behind by half of it, on the side that it comes from
-        let typical = scales.rate.get(own).copied().unwrap_or(0.0);
-        // (dry friction's smooth law turns as softly: no record tells one from the other)
-        if typical > 0.0 && !is_dry(rig, own) {
-            let name = names.free(&format!("w_{}", y.name));
-            let (q, width) = (&rig.coordinates[own].name, rounded(TURNS * typical));
-            let value = format!("-0.5 * {name} * tanh({q}.dot / ({width} [{}]))", of_rate(rig, own).text());
-            out.push(Effect {
-                id: "backlash".to_owned(),
-                place: y.name.clone(),
-                parameters: vec![parameter(&name, of_coordinate(rig, own).text(), true, "play between joint and sensor")],
-                shape: None,
-                edit: Edit::Output { output, entry: "value", value },
-                signature: Signature::Parameters,
-                of_the_day: false,
-                by_record: false,
-            });
-        }
         // an axis that leans reads a part of another angle
         if !is_angle(rig, own) {
             continue;

@@ -1,6 +1,7 @@
 //! One pass of the filter over one record: whitened innovations and their derivatives.
 
 use super::noise::Noise;
+use super::play::{Reading, Slack};
 use super::transition::{Carried, Stepper, by_parameter};
 use crate::fit::FitError;
 use crate::fit::data::Data;
@@ -43,6 +44,10 @@ pub type Shape = dyn Fn(f64, &[f64], &[f64]) -> f64 + Sync;
 #[derive(Clone, Debug, Default)]
 pub struct Gains {
     gain: Vec<f64>,
+    /// Gains of the readings behind play.
+    readings: Vec<f64>,
+    /// Standard deviation of the way from a reading to the motion, at each sample.
+    spread: Vec<f64>,
     /// Standard deviation of each innovation (SI).
     pub sd: Vec<f64>,
 }
@@ -338,7 +343,7 @@ pub(crate) fn run(
     let (mut y, mut c, mut dhdp) = (vec![0.0; d.outputs], vec![0.0; d.outputs * n], vec![0.0; d.outputs * d.parameters]);
     let mut rate = vec![0.0; n];
     let mut u = vec![0.0; d.signals()];
-    let (mut gain, mut row) = (vec![0.0; order], vec![0.0; m]);
+    let (mut gain, mut row, mut with) = (vec![0.0; order], vec![0.0; m], vec![0.0; order]);
     let (mut predicted, mut covariance) = (vec![0.0; order], Vec::new());
     let mut segment = 0;
     // columns that delay an output: column, output, seconds for one unit of the column
@@ -359,6 +364,10 @@ pub(crate) fn run(
     let weighted = columns.iter().any(|c| matches!(c, Column::Weighted(..)));
     let late = !delayed.is_empty() || weighted || measured.iter().any(|values| values.iter().any(|v| v.1 != 0.0));
     let (mut middle, mut rate_middle) = (vec![0.0; n], vec![0.0; n]);
+    let mut readings = Reading::all(model, p, &track.data.outputs, columns, order);
+    let gains = if let Filtering::Frozen(gains) = filtering { Some(*gains) } else { None };
+    let mut gains_of_readings = vec![0.0; readings.len()];
+    let mut followed = 0;
     for (k, &t) in times.iter().enumerate() {
         if k > 0 {
             if riccati {
@@ -389,6 +398,9 @@ pub(crate) fn run(
         predicted.copy_from_slice(&carried.state);
         if riccati {
             covariance.clone_from(&carried.covariance);
+            if k > 0 {
+                readings.iter_mut().for_each(|reading| reading.go_on(&carried.transition));
+            }
         }
         model.outputs(t, &carried.state[..n], stepper.parameters(), &mut y);
         model.output_jacobian(t, &carried.state[..n], stepper.parameters(), &mut c, &mut dhdp);
@@ -401,7 +413,8 @@ pub(crate) fn run(
         for (i, values) in measured.iter().enumerate() {
             let output = track.data.outputs[i];
             let (value, early) = values[k];
-            if !value.is_finite() {
+            let behind = readings.iter().position(|reading| reading.output == output);
+            if !value.is_finite() && behind.is_none() {
                 continue;
             }
             let c = &c[output * n..(output + 1) * n];
@@ -416,30 +429,8 @@ pub(crate) fn run(
                 }
                 seen_before = early * (0..n).map(|j| c[j] * rate_middle[j]).sum::<f64>();
             }
-            let error = value - (y[output] - seen_before) - moved;
-            let sd = match filtering {
-                Filtering::Riccati => {
-                    for (row, gain) in gain.iter_mut().enumerate() {
-                        *gain = (0..n).map(|j| carried.covariance[row * order + j] * c[j]).sum();
-                    }
-                    let variance = (0..n).map(|j| c[j] * gain[j]).sum::<f64>() + noise.output_sd[output].powi(2);
-                    for a in 0..order {
-                        for b in 0..order {
-                            carried.covariance[a * order + b] -= gain[a] * gain[b] / variance;
-                        }
-                    }
-                    gain.iter_mut().for_each(|g| *g /= variance);
-                    found.gains.gain.extend(&gain);
-                    found.gains.sd.push(variance.sqrt());
-                    variance.sqrt()
-                }
-                Filtering::Frozen(gains) => {
-                    let at = found.z.len();
-                    let Some(sd) = gains.sd.get(at) else { continue };
-                    gain.copy_from_slice(&gains.gain[at * order..(at + 1) * order]);
-                    *sd
-                }
-            };
+            let (mut expected, mut slope) = ((y[output] - seen_before) + moved, 1.0);
+            // derivatives of what is expected, with their sign turned
             if m > 0 {
                 row.fill(0.0);
                 for (c, sensitivity) in c.iter().zip(carried.sensitivity.chunks_exact(m)) {
@@ -462,12 +453,82 @@ pub(crate) fn run(
                 for &(column, _, seconds) in delayed.iter().filter(|(_, o, _)| *o == output) {
                     row[column] += seconds * (0..n).map(|j| c[j] * rate[j]).sum::<f64>();
                 }
+            }
+            // covariance of what is expected with the states, and its own
+            let mut variance = 0.0;
+            if riccati {
+                for (row, with) in with.iter_mut().enumerate() {
+                    *with = (0..n).map(|j| carried.covariance[row * order + j] * c[j]).sum();
+                }
+                variance = (0..n).map(|j| c[j] * with[j]).sum::<f64>();
+            }
+            if let Some(reading) = behind.map(|i| &mut readings[i]) {
+                if k == 0 {
+                    reading.begin(expected, &with, variance, &row);
+                }
+                let cross: f64 = (0..n).map(|j| c[j] * reading.with[j]).sum();
+                if riccati {
+                    found.gains.spread.push((variance - 2.0 * cross + reading.variance).max(0.0).sqrt());
+                }
+                let Some(&spread) = gains.unwrap_or(&found.gains).spread.get(followed) else { return Ok(None) };
+                followed += 1;
+                let slack = Slack::new(expected - reading.value, spread, reading.width);
+                reading.follow(&slack, &with, variance, cross);
+                let weight = |column: usize| match columns[column] {
+                    Column::Weighted(_, shape) => shape(t, &carried.state[..n], &u),
+                    _ => 1.0,
+                };
+                reading.turn(&slack, weight, &mut row);
+                (expected, variance, slope) = (reading.value, reading.variance, slack.slope);
+                with.copy_from_slice(&reading.with);
+            }
+            if !value.is_finite() {
+                continue;
+            }
+            let error = value - expected;
+            let sd = match gains {
+                None => {
+                    for (i, (of, reading)) in gains_of_readings.iter_mut().zip(&readings).enumerate() {
+                        let with_motion = || slope * (0..n).map(|j| c[j] * reading.with[j]).sum::<f64>();
+                        *of = if behind == Some(i) { variance } else { with_motion() };
+                    }
+                    let total = variance + noise.output_sd[output].powi(2);
+                    for a in 0..order {
+                        for b in 0..order {
+                            carried.covariance[a * order + b] -= with[a] * with[b] / total;
+                        }
+                    }
+                    for (of, reading) in gains_of_readings.iter_mut().zip(&mut readings) {
+                        reading.learn(*of, &with, total);
+                        *of /= total;
+                    }
+                    gain.iter_mut().zip(&with).for_each(|(g, with)| *g = with / total);
+                    found.gains.gain.extend(&gain);
+                    found.gains.readings.extend(&gains_of_readings);
+                    found.gains.sd.push(total.sqrt());
+                    total.sqrt()
+                }
+                Some(gains) => {
+                    let at = found.z.len();
+                    let Some(sd) = gains.sd.get(at) else { continue };
+                    gain.copy_from_slice(&gains.gain[at * order..(at + 1) * order]);
+                    let count = readings.len();
+                    let Some(own) = gains.readings.get(at * count..(at + 1) * count) else { continue };
+                    gains_of_readings.copy_from_slice(own);
+                    *sd
+                }
+            };
+            if m > 0 {
                 for (a, &g) in gain.iter().enumerate() {
                     if g != 0.0 {
                         carried.sensitivity[a * m..(a + 1) * m].iter_mut().zip(&row).for_each(|(s, r)| *s += g * r);
                     }
                 }
                 found.jacobian.extend(row.iter().map(|r| r / sd));
+            }
+            for (reading, g) in readings.iter_mut().zip(&gains_of_readings) {
+                reading.value += g * error;
+                reading.by.iter_mut().zip(&row).for_each(|(s, r)| *s += g * r);
             }
             carried.state.iter_mut().zip(&gain).for_each(|(x, g)| *x += g * error);
             let z = error / sd;
