@@ -1,14 +1,15 @@
 //! A closed loop as the rig runs it: encoders, a controller at its own rate, limits, delays, a plant between samples.
 //!
-//! Each period: outputs are read (delay, wrap, quantum), the controller answers, the command is limited and held; the
+//! Each period: outputs are read (delay, play, wrap, quantum), the controller answers, the command is limited and held; the
 //! plant is integrated from switch to switch of the (delayed) inputs, never across one. What comes from outside are
-//! functions of time. Knows models through the trait; the encoder is that of `sim`.
+//! functions of time. Knows models through the trait; play and encoder are those of `sim`. A play is read once a period: a
+//! motion to and fro within one does not move the reading.
 
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::SeedableRng;
 use runtime::{Model, OutputPath};
-use sim::encoder;
+use sim::{encoder, play};
 use std::fmt;
 
 /// A sampled controller.
@@ -55,7 +56,7 @@ pub struct Surroundings<'a> {
     pub exogenous: Vec<Signal<'a>>,
     /// What is added to inputs behind their limits: (input, function).
     pub disturbances: Vec<(usize, Signal<'a>)>,
-    /// Noise on outputs, before the encoders.
+    /// Noise on outputs, behind their plays, before the encoders.
     pub noise: Option<Noise>,
 }
 
@@ -89,7 +90,7 @@ pub struct Run {
     pub t: Vec<f64>,
     /// States.
     pub x: Vec<Vec<f64>>,
-    /// True outputs, before delay and encoder.
+    /// True outputs, before delay, play and encoder.
     pub y: Vec<Vec<f64>>,
     /// Outputs as read.
     pub read: Vec<Vec<f64>>,
@@ -199,6 +200,7 @@ pub fn run(
     let mut x = bench.x.clone();
     let mut past = History::default();
     let mut random = around.noise.as_ref().map(|noise| Pcg64::seed_from_u64(noise.seed));
+    let mut readings: Vec<Option<f64>> = vec![None; d.outputs];
     let (mut y, mut u) = (vec![0.0; d.outputs], vec![0.0; d.inputs]);
     for k in 0..=samples {
         let t = k as f64 * bench.period;
@@ -208,7 +210,8 @@ pub fn run(
             .iter()
             .enumerate()
             .map(|(i, path)| {
-                let mut value = past.at(t - path.delay, i);
+                let mut value = play(readings[i], past.at(t - path.delay, i), path);
+                readings[i] = Some(value);
                 if let (Some(noise), Some(random)) = (&around.noise, &mut random) {
                     let normal: f64 = StandardNormal.sample(random);
                     value += noise.deviation[i] * normal;

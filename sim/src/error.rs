@@ -47,6 +47,13 @@ pub enum SimError {
         /// Its value [s].
         value: f64,
     },
+    /// A play of the model is negative or not finite with these parameters.
+    Play {
+        /// Output.
+        of: String,
+        /// Its value (SI).
+        value: f64,
+    },
 }
 
 impl fmt::Display for SimError {
@@ -58,6 +65,7 @@ impl fmt::Display for SimError {
             Self::Empty { what } => write!(f, "there are no {what}"),
             Self::Option { what, value } => write!(f, "{what} must be a positive number, not {value}"),
             Self::Delay { of, value } => write!(f, "the delay of {of} is {value} s; a delay is zero or positive"),
+            Self::Play { of, value } => write!(f, "the play of {of} is {value}; a play is zero or positive"),
         }
     }
 }

@@ -17,7 +17,7 @@ mod tableau;
 
 pub use error::SimError;
 pub use integrate::Method;
-pub use output_path::encoder;
+pub use output_path::{encoder, play};
 pub use sensitivity::{Forward, Pattern, Sink};
 pub use signals::{Hold, Path, Segment, Signal, Signals};
 pub use simulate::input_paths;

@@ -2,7 +2,7 @@
 
 use crate::error::SimError;
 use crate::integrate::{Control, Fault, Integrator, Method, Stop};
-use crate::output_path::encoder;
+use crate::output_path::{encoder, play};
 use crate::signals::{Path, Signals, check_times};
 use crate::status::Status;
 use runtime::{Model, OutputPath};
@@ -74,6 +74,7 @@ fn row(values: &[f64], rows: usize, k: usize) -> &[f64] {
 ///
 /// Inputs are clipped to their limits and delayed; before its first sample an input holds that sample. Exogenous signals
 /// (accelerations of prescribed coordinates) enter as they are. Outputs before `times[0]` + delay show the initial state.
+/// An output behind a play is read at `times` and nowhere else: a motion to and fro between two of them does not move the reading.
 ///
 /// # Errors
 /// [`SimError`] where the arguments are wrong. A run that ends early is no error: see [`Trajectory::status`].
@@ -95,9 +96,7 @@ pub fn simulate(
         }
     }
     let paths = input_paths(model, p)?;
-    let outs = (0..d.outputs)
-        .map(|i| checked_delay(names.output(i), model.output_path(i, p)).map(|()| model.output_path(i, p)))
-        .collect::<Result<Vec<OutputPath>, _>>()?;
+    let outs = (0..d.outputs).map(|i| checked(names.output(i), model.output_path(i, p))).collect::<Result<Vec<OutputPath>, _>>()?;
 
     // the states that outputs need: at the times, and a delay earlier
     let start = times[0];
@@ -144,6 +143,7 @@ pub fn simulate(
     let valid_until = status.time().unwrap_or(end);
     let mut out = Trajectory { t: Vec::new(), x: Vec::new(), y: Vec::new(), status, valid_until, steps: integrator.steps };
     let mut y = vec![0.0; d.outputs];
+    let mut readings: Vec<Option<f64>> = vec![None; d.outputs];
     let last = if n == 0 { end } else { grid[reached - 1] };
     for &t in times.iter().take_while(|&&t| t <= last) {
         let now = state_at(t);
@@ -158,6 +158,8 @@ pub fn simulate(
                 model.outputs(earlier, state_at(earlier), p, &mut y);
                 out.y[at + i] = y[i];
             }
+            out.y[at + i] = play(readings[i], out.y[at + i], path);
+            readings[i] = Some(out.y[at + i]);
             if options.encoders {
                 out.y[at + i] = encoder(out.y[at + i], path);
             }
@@ -197,7 +199,6 @@ pub(crate) fn check(model: &dyn Model, p: &[f64], x0: &[f64], signals: &Signals)
     Ok(())
 }
 
-/// Limits and delays of the inputs; exogenous signals have none.
 /// How each signal enters: limits and delay; exogenous signals have none.
 ///
 /// # Errors
@@ -218,6 +219,13 @@ pub fn input_paths(model: &dyn Model, p: &[f64]) -> Result<Vec<Path>, SimError> 
         .collect()
 }
 
-fn checked_delay(of: &str, path: OutputPath) -> Result<(), SimError> {
-    if path.delay >= 0.0 && path.delay.is_finite() { Ok(()) } else { Err(SimError::Delay { of: of.to_owned(), value: path.delay }) }
+fn checked(of: &str, path: OutputPath) -> Result<OutputPath, SimError> {
+    let possible = |x: f64| x >= 0.0 && x.is_finite();
+    if !possible(path.delay) {
+        return Err(SimError::Delay { of: of.to_owned(), value: path.delay });
+    }
+    if !possible(path.play) {
+        return Err(SimError::Play { of: of.to_owned(), value: path.play });
+    }
+    Ok(path)
 }

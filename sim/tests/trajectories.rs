@@ -2,7 +2,7 @@
 
 mod models;
 
-use models::{Duffing, Explosion, Growth, Hand, Linear, Paths, Pendulum, VanDerPol, Wall};
+use models::{Duffing, Explosion, Growth, Hand, Led, Linear, Misread, Paths, Pendulum, VanDerPol, Wall};
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 use sim::{Hold, Method, Options, Signal, Signals, SimError, Status, Trajectory, simulate};
@@ -97,6 +97,34 @@ fn limits_delays_and_encoder() {
 }
 
 #[test]
+fn a_triangle_through_a_play() {
+    // up to 1, down to -1, up again; everything is read 0.25 s later
+    let signal = Signal { t: vec![0.0, 1.0, 3.0], values: vec![1.0, -1.0, 1.0], hold: Hold::Zero };
+    let signals = Signals::new(vec![signal]).unwrap();
+    let read = |t: &[f64], encoders: bool| {
+        simulate(&Hand(Led), &[1.0], &[0.0, 0.0], &signals, t, &Options { encoders, ..Options::default() }).unwrap().output(0)
+    };
+    // half of the play is lost at the start, all of it at each turn
+    let by_hand = |t: f64| match t - 0.25 {
+        t if t < 0.25 => 0.0,
+        t if t < 1.0 => t - 0.25,
+        t if t < 1.5 => 0.75,
+        t if t < 3.0 => 2.25 - t,
+        t if t < 3.5 => -0.75,
+        t => t - 4.25,
+    };
+    let t = times(5.0, 80);
+    let (plain, counted) = (read(&t, false), read(&t, true));
+    for (k, &t) in t.iter().enumerate() {
+        assert!((plain[k] - by_hand(t)).abs() < 1e-9, "{t}: {}", plain[k]);
+        // the encoder is behind the play
+        assert!((counted[k] / 0.125).fract() == 0.0 && (counted[k] - plain[k]).abs() < 0.0626, "{t}: {}", counted[k]);
+    }
+    // motion between samples is not seen: at these times it has come back to where it was
+    assert!(read(&[0.25, 2.25, 4.25], false).iter().all(|r| r.abs() < 1e-9));
+}
+
+#[test]
 fn stiff_run_goes_implicit() {
     // reference: Hairer and Wanner's test set, mu = 1000 at t = 2000
     let t = [0.0, 1000.0, 2000.0];
@@ -179,6 +207,8 @@ fn wrong_arguments() {
     assert_eq!(call(&p, &x0, &u, &[], options), "there are no times of the outputs");
     assert_eq!(call(&p, &x0, &u, &[0.0, 1.0, 1.0], options), "the times of the outputs must increase, number 3 (1 s) does not");
     assert_eq!(call(&p, &x0, &u, &t, Options { relative: -1.0, ..options }), "the relative tolerance must be a positive number, not -1");
+    let misread = simulate(&Hand(Misread), &[1.0], &x0, &u, &t, &options).unwrap_err();
+    assert_eq!(misread.to_string(), "the play of q0 is -0.5; a play is zero or positive");
     let signal = |t: Vec<f64>, values: Vec<f64>| Signals::new(vec![Signal { t, values, hold: Hold::Zero }]).unwrap_err();
     assert_eq!(signal(vec![0.0, 0.0], vec![1.0, 1.0]), SimError::Order { what: "time stamps of a signal", index: 1, t: 0.0 });
     assert_eq!(signal(vec![0.0], vec![f64::NAN]).to_string(), "sample 1 of signal 1 is not a finite number");

@@ -1,4 +1,4 @@
-//! Runs of whole rigs: prescribed motion, delays of a rig, conservation of energy.
+//! Runs of whole rigs: prescribed motion, delays and plays of a rig, conservation of energy.
 
 use codegen::{Options, derive};
 use jit::InProcess;
@@ -50,6 +50,60 @@ fn delays_and_limits_of_a_rig() {
     for (k, &t) in run.t.iter().enumerate() {
         let moved = |t: f64| 0.5 * (t - 0.23).max(0.0).powi(2);
         assert!((run.state(k)[0] - moved(t)).abs() < 1e-9 && (run.outputs(k)[0] - moved(t - 0.05)).abs() < 1e-9, "{t}");
+    }
+}
+
+/// x = 0.1 sin 2t, shown twice as large behind a play of 0.08: 0.06 at the first turn, held there until 0.2 sin 2t is 0.02.
+const SWINGING: &str = "rig Swinging { param m: kg = 1; param w: m = 0.04; coord x: m; frame f = ground.translate(x, 0, 0);\n\
+     body b on f { mass m; } spring k on x { stiffness 4 [N/m]; } input u: N; torque push on x: u;\n\
+     output y: m = x { scale 2; play 2 * w; } output x: mm = x { play 20 mm; } }";
+
+fn swinging(t: f64, amplitude: f64, half: f64) -> f64 {
+    let (y, turn) = (amplitude * (2.0 * t).sin(), std::f64::consts::FRAC_PI_4);
+    match t {
+        t if t < turn => (y - half).max(0.0),
+        t if t < 3.0 * turn => (y + half).min(amplitude - half),
+        _ => (y - half).max(half - amplitude),
+    }
+}
+
+#[test]
+fn plays_of_a_rig() {
+    let (model, p) = model(SWINGING);
+    assert_eq!((model.output_path(0, &p).play, model.output_path(0, &[1.0, 0.01]).play), (0.08, 0.02));
+    let t = times(std::f64::consts::PI, 64);
+    let run = simulate(&model, &p, &[0.0, 0.2], &Signals::constant(&[0.0]).unwrap(), &t, &sim::Options::default()).unwrap();
+    for (k, &t) in run.t.iter().enumerate() {
+        let wanted = [swinging(t, 0.2, 0.04), swinging(t, 0.1, 0.01)];
+        assert!(run.outputs(k).iter().zip(wanted).all(|(y, w)| (y - w).abs() < 1e-8), "{t}: {:?} {wanted:?}", run.outputs(k));
+    }
+}
+
+/// Does nothing.
+struct Idle;
+
+impl control::Controller for Idle {
+    fn command(&mut self, _: f64, _: &[f64], u: &mut [f64]) -> Result<(), String> {
+        u.fill(0.0);
+        Ok(())
+    }
+    fn applied(&mut self, _: &[f64]) {}
+    fn references(&self) -> &[Option<(f64, f64)>] {
+        &[]
+    }
+}
+
+#[test]
+fn plays_in_a_closed_loop() {
+    let (model, p) = model(SWINGING);
+    let period = std::f64::consts::PI / 64.0;
+    let bench = control::Bench { x: vec![0.0, 0.2], period, duration: 64.0 * period, max_step: 1e-3, encoders: false, limits: true };
+    let run = control::run(&model, &p, &bench, &control::Surroundings::default(), &mut Idle).unwrap();
+    assert_eq!(run.t.len(), 65);
+    for (k, &t) in run.t.iter().enumerate() {
+        let wanted = [swinging(t, 0.2, 0.04), swinging(t, 0.1, 0.01)];
+        assert!(run.read[k].iter().zip(wanted).all(|(y, w)| (y - w).abs() < 1e-8), "{t}: {:?} {wanted:?}", run.read[k]);
+        assert!((run.y[k][0] - 0.2 * (2.0 * t).sin()).abs() < 1e-8, "y is what is there, not what is read");
     }
 }
 

@@ -212,8 +212,8 @@ pub fn add_names(workspace: &mut Workspace, states: &[&str], inputs: &[String], 
 fn document(loaded: &Loaded, model: &InProcess, linear: &Linearized, states: &[&str]) -> Value {
     let layout = &model.equations().layout;
     let rows = |m: &DMatrix<f64>| m.row_iter().map(|r| r.iter().copied().collect::<Vec<f64>>()).collect::<Vec<_>>();
-    let delays = |count: usize, name: &dyn Fn(usize) -> String, delay: &dyn Fn(usize) -> f64| {
-        Value::Object((0..count).map(|i| (name(i), json!(delay(i)))).collect())
+    let by_name = |count: usize, name: &dyn Fn(usize) -> String, value: &dyn Fn(usize) -> f64| {
+        Value::Object((0..count).map(|i| (name(i), json!(value(i)))).collect())
     };
     let p = &layout.nominal;
     let mut document = linear.found.json(loaded, layout);
@@ -228,7 +228,10 @@ fn document(loaded: &Loaded, model: &InProcess, linear: &Linearized, states: &[&
         .iter()
         .map(|(i, j, v)| json!({"what": "slope of regularized friction", "row": states[*i], "column": states[*j], "value": v}))
         .collect();
-    document["input_delay"] = delays(layout.inputs, &|i| layout.u[i].name.clone(), &|i| model.input_path(i, p).delay);
-    document["output_delay"] = delays(layout.outputs.len(), &|i| layout.outputs[i].name.clone(), &|i| model.output_path(i, p).delay);
+    document["input_delay"] = by_name(layout.inputs, &|i| layout.u[i].name.clone(), &|i| model.input_path(i, p).delay);
+    document["output_delay"] = by_name(layout.outputs.len(), &|i| layout.outputs[i].name.clone(), &|i| model.output_path(i, p).delay);
+    if (0..layout.outputs.len()).any(|i| model.output_path(i, p).play > 0.0) {
+        document["output_play"] = by_name(layout.outputs.len(), &|i| layout.outputs[i].name.clone(), &|i| model.output_path(i, p).play);
+    }
     document
 }

@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::rig::{Expr, Span};
 
 /// A value whose sign is checked.
-struct Rule {
+struct Rule<'a> {
     /// Statements that may have it.
     keywords: &'static [&'static str],
     /// Entry or option.
@@ -15,17 +15,34 @@ struct Rule {
     what: &'static str,
     /// Zero is fine.
     zero: bool,
-    unit: &'static str,
+    /// With a blank before it.
+    unit: &'a str,
+    /// Value of the unit in SI.
+    factor: f64,
     help: &'static str,
 }
 
 const IN: &[&str] = &["input", "actuator"];
 const LATE: &str = "a signal cannot arrive before it is sent";
-const LAG: Rule =
-    Rule { keywords: IN, key: "lag", what: "time constant", zero: false, unit: " s", help: "leave `lag` out for an actuator without lag" };
-const DELAY: Rule = Rule { keywords: IN, key: "delay", what: "delay", zero: true, unit: " s", help: LATE };
-const DEAD_ZONE: Rule =
-    Rule { keywords: IN, key: "dead_zone", what: "dead zone", zero: true, unit: "", help: "its half width is a positive number" };
+const LAG: Rule = Rule {
+    keywords: IN,
+    key: "lag",
+    what: "time constant",
+    zero: false,
+    unit: " s",
+    factor: 1.0,
+    help: "leave `lag` out for an actuator without lag",
+};
+const DELAY: Rule = Rule { keywords: IN, key: "delay", what: "delay", zero: true, unit: " s", factor: 1.0, help: LATE };
+const DEAD_ZONE: Rule = Rule {
+    keywords: IN,
+    key: "dead_zone",
+    what: "dead zone",
+    zero: true,
+    unit: "",
+    factor: 1.0,
+    help: "its half width is a positive number",
+};
 const OUTPUT_DELAY: Rule = Rule { keywords: &["output"], ..DELAY };
 const PLAY: Rule = Rule {
     keywords: &["output"],
@@ -33,7 +50,8 @@ const PLAY: Rule = Rule {
     what: "play",
     zero: true,
     unit: "",
-    help: "its whole width, from one stop to the other, is a positive number",
+    factor: 1.0,
+    help: "write its whole width, from one stop to the other",
 };
 const WIDTH: Rule = Rule {
     keywords: &["friction"],
@@ -41,6 +59,7 @@ const WIDTH: Rule = Rule {
     what: "friction's width",
     zero: false,
     unit: "",
+    factor: 1.0,
     help: "it is the speed over which Coulomb friction changes its sign, as in `coulomb F_c width 0.01`",
 };
 const SPEED: Rule = Rule {
@@ -49,12 +68,13 @@ const SPEED: Rule = Rule {
     what: "Stribeck speed",
     zero: false,
     unit: "",
+    factor: 1.0,
     help: "it is the speed over which static friction fades",
 };
 
 pub(super) fn check(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) {
     masses(c, diagnostics);
-    let mut positive = |rule: Rule, e: Option<&Expr>, name: &str, otherwise: Span| {
+    let mut positive = |rule: Rule<'_>, e: Option<&Expr>, name: &str, otherwise: Span| {
         let Some(x) = e.and_then(|e| c.numbers.value(e)) else { return };
         if x < 0.0 || (x == 0.0 && !rule.zero) {
             let needs = if rule.zero { "cannot be negative" } else { "must be positive" };
@@ -63,7 +83,7 @@ pub(super) fn check(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) {
                 "E0310",
                 format!("the {} of `{name}` {needs}", rule.what),
                 span,
-                format!("this is {}{}", shown(x), rule.unit),
+                format!("this is {}{}", shown(x / rule.factor), rule.unit),
             );
             diagnostics.push(d.help(rule.help));
         }
@@ -75,7 +95,8 @@ pub(super) fn check(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) {
     }
     for o in &c.rig.outputs {
         positive(OUTPUT_DELAY, o.delay.as_ref(), &o.name, o.span);
-        positive(PLAY, o.play.as_ref(), &o.name, o.span);
+        let unit = if o.unit.text == "1" { String::new() } else { format!(" {}", o.unit.text) };
+        positive(Rule { unit: &unit, factor: o.unit.factor, ..PLAY }, o.play.as_ref(), &o.name, o.span);
     }
     for f in &c.rig.frictions {
         positive(WIDTH, f.width.as_ref(), &f.name, f.span);

@@ -156,6 +156,30 @@ impl Equations for Paths {
     }
 }
 
+/// q' = u: a position that is led along straight lines, read behind a play of 0.5, late and in steps of 0.125.
+pub struct Led;
+
+impl Equations for Led {
+    const COORDINATES: usize = 1;
+    const OUTPUT_PATH: OutputPath = OutputPath { delay: 0.25, play: 0.5, quantum: 0.125, wrapped: false };
+    fn rhs(&self, _t: f64, _x: &[f64], u: &[f64], _p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
+        dx.copy_from_slice(&[u[0], 0.0]);
+        Ok(())
+    }
+}
+
+/// An output path that cannot be: its play is negative.
+pub struct Misread;
+
+impl Equations for Misread {
+    const COORDINATES: usize = 1;
+    const OUTPUT_PATH: OutputPath = OutputPath { delay: 0.0, play: -0.5, quantum: 0.0, wrapped: false };
+    fn rhs(&self, _t: f64, x: &[f64], u: &[f64], _p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
+        dx.copy_from_slice(&[x[1], u[0]]);
+        Ok(())
+    }
+}
+
 /// Van der Pol's oscillator, q'' = p (1 - q^2) q' - q: stiff for large p.
 pub struct VanDerPol;
 
