@@ -215,7 +215,8 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !closed() {
         return refuse(Refusal::Small(gaps.iter().map(|w| w.closed()).fold(f64::NEG_INFINITY, f64::max)), gain);
     }
-    if alike.iter().any(Weighed::worse) || error_ratio > WORSE {
+    // nor does it make worse what has drowned
+    if error_ratio > WORSE || (alike.iter().any(Weighed::worse) && !(instrument && at_once())) {
         return refuse(Refusal::Worse, gain);
     }
     Ok(Ruling { refused: None, gain, error_ratio })

@@ -41,15 +41,15 @@ pub fn ahead(
     let target = |k: usize| times.partition_point(|&t| t < times[k] + horizon * (1.0 - 1e-9));
     let range: Vec<usize> = (0..times.len()).take_while(|&k| target(k) < times.len()).collect();
     let stride = range.len().div_ceil(starts.max(1)).max(1);
-    let mut begun: Vec<(usize, Vec<f64>, Vec<f64>)> = Vec::new();
+    let mut begun = Vec::new();
     let mut k = 0;
     // the filter has found its state by the first start
     let first = times.partition_point(|t| *t < times[0] + 0.5 * horizon);
     let found = run(model, p, &track, noise, &[], &Filtering::Riccati, &mut |seen| {
         let (state, covariance) = seen.updated;
         if k >= first && (k - first).is_multiple_of(stride) && k < range.len() {
-            let sd = (0..n).map(|i| covariance[i * order + i].max(0.0).sqrt()).collect();
-            begun.push((k, state[..n].to_vec(), sd));
+            let sd: Vec<f64> = (0..n).map(|i| covariance[i * order + i].max(0.0).sqrt()).collect();
+            begun.push((k, state[..n].to_vec(), sd, seen.readings.to_vec()));
         }
         k += 1;
     })?;
@@ -57,7 +57,7 @@ pub fn ahead(
         return Ok(None);
     }
     let mut all: Vec<Ahead> = track.data.outputs.iter().map(|&output| Ahead { output, ..Ahead::default() }).collect();
-    for (k, initial, initial_sd) in begun {
+    for (k, initial, initial_sd, readings) in begun {
         let end = target(k);
         let mut data = track.data.clone();
         data.times = times[k..=end].to_vec();
@@ -67,7 +67,7 @@ pub fn ahead(
             let last = values.len() - 1;
             values[..last].fill(f64::NAN);
         }
-        let part = Track { data, initial_sd, initial };
+        let part = Track { data, initial_sd, initial, readings };
         let pass = run(model, p, &part, noise, &[], &Filtering::Riccati, &mut |_| {})?.unwrap_or_default();
         for (i, own) in all.iter_mut().enumerate() {
             own.t.push(times[k]);

@@ -18,6 +18,8 @@ pub struct Track {
     /// Standard errors of the initial state.
     pub(crate) initial_sd: Vec<f64>,
     pub(crate) initial: Vec<f64>,
+    /// Where readings behind play stand at the start, where that is known.
+    pub(crate) readings: Vec<Reading>,
 }
 
 /// What innovations are differentiated by.
@@ -92,7 +94,7 @@ impl Track {
     /// [`FitError`] where the record does not fit the model.
     pub fn new(record: &Record, model: &dyn Model, p: &[f64], hold: Hold) -> Result<Self, FitError> {
         let data = Data::new(record, model, hold)?;
-        let mut track = Self { data, initial_sd: Vec::new(), initial: Vec::new() };
+        let mut track = Self { data, initial_sd: Vec::new(), initial: Vec::new(), readings: Vec::new() };
         track.begin(model, p);
         Ok(track)
     }
@@ -116,6 +118,7 @@ impl Track {
             *sd = if i < 2 * d.coordinates && self.data.start == Start::Free { 10.0 * room } else { room };
         }
         (self.initial, self.initial_sd) = (found.x, sd);
+        self.readings.clear();
         let late: Vec<(usize, usize, f64)> =
             self.data.outputs.iter().map(|&o| (0, o, model.output_path(o, p).delay)).filter(|(_, _, delay)| *delay > 0.0).collect();
         if !late.is_empty() {
@@ -221,7 +224,7 @@ impl Track {
         if from > 0 {
             data.start = Start::Free;
         }
-        let mut part = Self { data, initial_sd: Vec::new(), initial: Vec::new() };
+        let mut part = Self { data, initial_sd: Vec::new(), initial: Vec::new(), readings: Vec::new() };
         part.begin(model, p);
         part
     }
@@ -302,6 +305,8 @@ pub(crate) struct Seen<'s> {
     pub predicted: (&'s [f64], &'s [f64]),
     /// After it.
     pub updated: (&'s [f64], &'s [f64]),
+    /// Readings behind play, after it.
+    pub readings: &'s [Reading],
 }
 
 /// A pass; `observe` is called at every sample where gains are computed.
@@ -464,22 +469,24 @@ pub(crate) fn run(
             }
             if let Some(reading) = behind.map(|i| &mut readings[i]) {
                 if k == 0 {
-                    reading.begin(expected, &with, variance, &row);
+                    reading.begin(track.readings.iter().find(|known| known.output == output), expected, (&with, variance), (c, &row));
+                } else {
+                    let cross: f64 = (0..n).map(|j| c[j] * reading.with[j]).sum();
+                    if riccati {
+                        found.gains.spread.push((variance - 2.0 * cross + reading.variance).max(0.0).sqrt());
+                    }
+                    let Some(&spread) = gains.unwrap_or(&found.gains).spread.get(followed) else { return Ok(None) };
+                    followed += 1;
+                    let slack = Slack::new(expected - reading.value, spread, reading.width);
+                    reading.follow(&slack, &with, variance, cross);
+                    let weight = |column: usize| match columns[column] {
+                        Column::Weighted(_, shape) => shape(t, &carried.state[..n], &u),
+                        _ => 1.0,
+                    };
+                    reading.turn(&slack, weight, &mut row);
+                    slope = slack.slope;
                 }
-                let cross: f64 = (0..n).map(|j| c[j] * reading.with[j]).sum();
-                if riccati {
-                    found.gains.spread.push((variance - 2.0 * cross + reading.variance).max(0.0).sqrt());
-                }
-                let Some(&spread) = gains.unwrap_or(&found.gains).spread.get(followed) else { return Ok(None) };
-                followed += 1;
-                let slack = Slack::new(expected - reading.value, spread, reading.width);
-                reading.follow(&slack, &with, variance, cross);
-                let weight = |column: usize| match columns[column] {
-                    Column::Weighted(_, shape) => shape(t, &carried.state[..n], &u),
-                    _ => 1.0,
-                };
-                reading.turn(&slack, weight, &mut row);
-                (expected, variance, slope) = (reading.value, reading.variance, slack.slope);
+                (expected, variance) = (reading.value, reading.variance);
                 with.copy_from_slice(&reading.with);
             }
             if !value.is_finite() {
@@ -545,6 +552,7 @@ pub(crate) fn run(
                 transition: &carried.transition,
                 predicted: (&predicted, &covariance),
                 updated: (&carried.state, &carried.covariance),
+                readings: &readings,
             });
         }
     }

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// What a reading does when the motion is `e` from it, for a normal e.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Slack {
+pub(crate) struct Slack {
     /// Mean of its move.
     pub mean: f64,
     /// Slope of its move by e.
@@ -51,7 +51,7 @@ fn density(x: f64) -> f64 {
 
 /// A reading behind play, as the filter knows it.
 #[derive(Clone, Debug)]
-pub(super) struct Reading {
+pub(crate) struct Reading {
     pub output: usize,
     /// Play.
     pub width: f64,
@@ -94,9 +94,16 @@ impl Reading {
         all
     }
 
-    /// Begins somewhere within the play about `value`, whose covariance with the states is `with` and whose variance is `variance`; `row`
-    /// are the derivatives of `value` with their sign turned.
-    pub fn begin(&mut self, value: f64, with: &[f64], variance: f64, row: &[f64]) {
+    /// Begins where it is `known` to stand, or somewhere within the play about the motion's `value`, whose covariance with the states and
+    /// variance follow; `c` are its derivatives by the states, `row` those by the columns with their sign turned.
+    pub fn begin(&mut self, known: Option<&Self>, value: f64, (with, variance): (&[f64], f64), (c, row): (&[f64], &[f64])) {
+        if let Some(known) = known {
+            (self.value, self.variance) = (known.value, known.variance);
+            // initial states are known apart from each other: of the covariance, what the motion itself has
+            self.with.fill(0.0);
+            self.with.iter_mut().zip(&known.with).zip(c).filter(|(_, c)| **c != 0.0).for_each(|((own, known), _)| *own = *known);
+            return;
+        }
         (self.value, self.variance) = (value, variance + self.width.powi(2) / 12.0);
         self.with.copy_from_slice(with);
         self.by.iter_mut().zip(row).for_each(|(by, row)| *by = -row);
