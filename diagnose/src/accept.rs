@@ -197,6 +197,8 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
         let whole = pooled.value + 1.96 * pooled.sd.hypot(SAME_SIZE) > 1.0;
         return refuse(if whole { Refusal::Untold(Some(pooled)) } else { Refusal::NoGain(pooled) }, gain);
     }
+    // when a sensor shows a motion says nothing of where the motion goes; what it says of the next sample, the record has confirmed
+    let when = tried.included.last().is_some_and(|i| matches!(i.effect.edit, Edit::Output { entry: "play" | "delay", .. }));
     // where what is there is no larger than noise makes it, there is no gap to close
     let gaps: Vec<&Weighed> = weighed.iter().filter(|w| w.before > NONE * w.floor).collect();
     // what an instrument does may drown in what pushes the rig meanwhile: from one sample to the next it does not
@@ -212,11 +214,10 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     };
     // a small gap that is closed beyond chance says more than a large one that something else has made
     let closed = || weighed.iter().any(Weighed::closes) || (instrument && at_once());
-    if !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !closed() {
+    if !when && !gaps.is_empty() && gaps.iter().all(|w| w.closes_less_than(CLOSES)) && !closed() {
         return refuse(Refusal::Small(gaps.iter().map(|w| w.closed()).fold(f64::NEG_INFINITY, f64::max)), gain);
     }
-    // nor does it make worse what has drowned
-    if error_ratio > WORSE || (alike.iter().any(Weighed::worse) && !(instrument && at_once())) {
+    if error_ratio > WORSE || (alike.iter().any(Weighed::worse) && !when) {
         return refuse(Refusal::Worse, gain);
     }
     Ok(Ruling { refused: None, gain, error_ratio })
