@@ -21,7 +21,7 @@ rig Small {
     torque push on x: F * exp(-t / 1 s);
     friction phi { viscous 0.01 [N*m*s]; }
     encoder phi: 4096;
-    output tip: m = x + l * sin(phi) { scale 1.01; }
+    output tip: m = x + l * sin(phi) { scale 1.01; play 0.4 mm; }
     trim down { x = 10 cm; zero x, phi; solve V, phi; }
     assume { neglect coriolis in x; }
 }";
