@@ -16,12 +16,33 @@ pub fn encoder(y: f64, path: &OutputPath) -> f64 {
 #[must_use]
 pub fn play(before: Option<f64>, y: f64, path: &OutputPath) -> f64 {
     let half = 0.5 * path.play.max(0.0);
-    match before {
+    match contact(before, y, path) {
         // not y - (y - before): what stands keeps its last digit
-        Some(before) if (before - y).abs() <= half => before,
-        Some(before) if before < y => y - half,
-        Some(before) if before > y => y + half,
-        _ => y,
+        Contact::None(before) => before,
+        Contact::Below => y - half,
+        Contact::Above => y + half,
+        Contact::Middle => y,
+    }
+}
+
+/// How a reading hangs on the value y.
+pub(crate) enum Contact {
+    /// Not at all: it stands.
+    None(f64),
+    /// At the stop behind which it is half of the play below y.
+    Below,
+    /// At the other one.
+    Above,
+    /// It is put into the middle.
+    Middle,
+}
+
+pub(crate) fn contact(before: Option<f64>, y: f64, path: &OutputPath) -> Contact {
+    match before {
+        Some(before) if (before - y).abs() <= 0.5 * path.play.max(0.0) => Contact::None(before),
+        Some(before) if before < y => Contact::Below,
+        Some(before) if before > y => Contact::Above,
+        _ => Contact::Middle,
     }
 }
 

@@ -4,14 +4,15 @@
 //! the sensitivities are the derivatives of the computed trajectory itself. No step crosses a switch of an input; a step
 //! may span many samples, which are then read from the method's polynomial. Delays are time shifts: an input's delay
 //! moves its switches (the state's sensitivity jumps there by the difference of the slopes), an output's delay the time
-//! at which the state is read. The workspace is made once; a step allocates nothing.
+//! at which the state is read. A reading behind a play keeps its derivative as long as it stands. The workspace is made once; a step allocates nothing.
 
 use crate::error::SimError;
+use crate::output_path::{Contact, contact};
 use crate::signals::{Path, Segment, Signals, check_times};
-use crate::simulate::{check, input_paths};
+use crate::simulate::{check, checked, input_paths};
 use crate::status::Status;
 use crate::tableau::{FixedMethod, Tableau};
-use runtime::{Model, Singular};
+use runtime::{Model, OutputPath, Singular};
 
 /// Which steps are taken: as few equal ones as keep each no longer than `step` between two switches of the inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +42,8 @@ pub struct Forward<'a> {
     segments: Vec<Segment>,
     reads: Vec<Read>,
     output_delays: Vec<f64>,
+    /// How the outputs that are read leave.
+    paths: Vec<OutputPath>,
     work: Workspace,
     steps: usize,
 }
@@ -81,6 +84,19 @@ struct Workspace {
     input_delay_slopes: Vec<f64>,
     /// The same for the outputs that are read.
     output_delay_slopes: Vec<f64>,
+    plays: Plays,
+}
+
+/// What a play remembers, for each output that is read.
+struct Plays {
+    /// The last reading.
+    readings: Vec<Option<f64>>,
+    /// Its derivatives, outputs x columns.
+    slopes: Vec<f64>,
+    /// d(play)/d(parameter of column j), outputs x parameters.
+    width_slopes: Vec<f64>,
+    /// There is a play, or one of no width that a parameter can open.
+    acts: Vec<bool>,
 }
 
 /// Where and why a run stopped.
@@ -144,6 +160,12 @@ impl<'a> Forward<'a> {
             dy: zeros(columns),
             input_delay_slopes: zeros(d.signals() * parameters.len()),
             output_delay_slopes: zeros(outputs.len() * parameters.len()),
+            plays: Plays {
+                readings: vec![None; outputs.len()],
+                slopes: zeros(outputs.len() * columns),
+                width_slopes: zeros(outputs.len() * parameters.len()),
+                acts: vec![false; outputs.len()],
+            },
         };
         Ok(Self {
             model,
@@ -157,6 +179,7 @@ impl<'a> Forward<'a> {
             segments: Vec::new(),
             reads: Vec::new(),
             output_delays: Vec::new(),
+            paths: Vec::new(),
             work,
             steps: 0,
         })
@@ -193,7 +216,8 @@ impl<'a> Forward<'a> {
     }
 
     /// Runs from `x0` at the first time with the sensitivities `s0` (states x columns). `sink(k, i, y, dy)` is given the
-    /// value of `outputs[i]` at `times[k]` and its derivative by each column, without encoder.
+    /// value of `outputs[i]` at `times[k]` and its derivative by each column, without encoder. Behind a play, the reading at the
+    /// first time is in the middle.
     ///
     /// # Errors
     /// [`SimError`] where arguments are wrong. A run that ends early is no error, see [`Status`]; what was read up to then
@@ -228,14 +252,11 @@ impl<'a> Forward<'a> {
             self.segments = self.signals.segments(&paths, start, end);
             self.delays = paths;
         }
-        let mut delays = Vec::with_capacity(self.outputs.len());
+        self.paths.clear();
         for &i in &self.outputs {
-            let delay = self.model.output_path(i, p).delay;
-            if !(delay >= 0.0 && delay.is_finite()) {
-                return Err(SimError::Delay { of: self.model.names().output(i).to_owned(), value: delay });
-            }
-            delays.push(delay);
+            self.paths.push(checked(self.model.names().output(i), self.model.output_path(i, p))?);
         }
+        let delays: Vec<f64> = self.paths.iter().map(|path| path.delay).collect();
         if delays != self.output_delays || self.reads.is_empty() {
             self.reads.clear();
             for (sample, &t) in self.times.iter().enumerate() {
@@ -246,32 +267,39 @@ impl<'a> Forward<'a> {
             }
             self.output_delays = delays;
         }
-        self.delay_slopes(p);
+        self.path_slopes(p);
         Ok(())
     }
 
-    /// Derivatives of the delays. A delay is nearly always a parameter itself, for which the difference is exact.
-    fn delay_slopes(&mut self, p: &[f64]) {
+    /// Derivatives of delays and plays. Each is nearly always a parameter itself, for which the difference is exact.
+    fn path_slopes(&mut self, p: &[f64]) {
         let d = self.model.dimensions();
         let count = self.parameters.len();
         let mut shifted = p.to_vec();
         for (column, &j) in self.parameters.iter().enumerate() {
             let h = 1e-4 * p[j].abs().max(1e-3);
-            let mut difference = |read: &dyn Fn(&[f64]) -> f64| {
+            let mut difference = |read: &dyn Fn(&[f64]) -> [f64; 2]| {
                 shifted[j] = p[j] + h;
                 let above = read(&shifted);
                 shifted[j] = p[j] - h;
                 let below = read(&shifted);
                 shifted[j] = p[j];
-                if above == below { 0.0 } else { (above - below) / (2.0 * h) }
+                [0, 1].map(|k| if above[k] == below[k] { 0.0 } else { (above[k] - below[k]) / (2.0 * h) })
             };
             for i in 0..d.inputs {
-                self.work.input_delay_slopes[i * count + column] = difference(&|p| self.model.input_path(i, p).delay);
+                let [delay, _] = difference(&|p| [self.model.input_path(i, p).delay, 0.0]);
+                self.work.input_delay_slopes[i * count + column] = delay;
             }
             for (r, &i) in self.outputs.iter().enumerate() {
-                self.work.output_delay_slopes[r * count + column] = difference(&|p| self.model.output_path(i, p).delay);
+                let [delay, play] = difference(&|p| {
+                    let path = self.model.output_path(i, p);
+                    [path.delay, path.play]
+                });
+                self.work.output_delay_slopes[r * count + column] = delay;
+                self.work.plays.width_slopes[r * count + column] = play;
             }
         }
+        self.work.plays.lay_out(&self.paths);
     }
 
     fn travel(&mut self, p: &[f64], segments: &[Segment], reads: &[Read], sink: &mut Sink<'_>) -> Result<(), Stop> {
@@ -491,10 +519,45 @@ impl<'a> Forward<'a> {
                     w.dy.iter_mut().zip(slopes).for_each(|(dy, slope)| *dy -= rate * slope);
                 }
             }
-            sink(read.sample, read.output, w.y[i], &w.dy);
+            let path = &self.paths[read.output];
+            // the reads of one output come in the order of their samples, whatever other outputs' delays are
+            let y = if w.plays.acts[read.output] { w.plays.read(path, read.output, w.y[i], &mut w.dy) } else { w.y[i] };
+            sink(read.sample, read.output, y, &w.dy);
             next += 1;
         }
         Ok(next)
+    }
+}
+
+impl Plays {
+    /// Before a run: nothing is read yet.
+    fn lay_out(&mut self, paths: &[OutputPath]) {
+        self.readings.fill(None);
+        let count = self.width_slopes.len() / self.readings.len().max(1);
+        for (r, (acts, path)) in self.acts.iter_mut().zip(paths).enumerate() {
+            *acts = path.play > 0.0 || self.width_slopes[r * count..(r + 1) * count].iter().any(|&slope| slope != 0.0);
+        }
+    }
+
+    /// The reading of output `r` for its value y; `dy`, the derivative of y, becomes that of the reading.
+    fn read(&mut self, path: &OutputPath, r: usize, y: f64, dy: &mut [f64]) -> f64 {
+        let count = self.width_slopes.len() / self.readings.len();
+        let by_width = &self.width_slopes[r * count..(r + 1) * count];
+        let kept = &mut self.slopes[r * dy.len()..(r + 1) * dy.len()];
+        let side = match contact(self.readings[r], y, path) {
+            Contact::None(before) => {
+                dy.copy_from_slice(kept);
+                return before;
+            }
+            Contact::Below => -0.5,
+            Contact::Above => 0.5,
+            Contact::Middle => 0.0,
+        };
+        dy.iter_mut().zip(by_width).for_each(|(dy, width)| *dy += side * width);
+        kept.copy_from_slice(dy);
+        let reading = y + side * path.play;
+        self.readings[r] = Some(reading);
+        reading
     }
 }
 

@@ -219,7 +219,8 @@ pub fn input_paths(model: &dyn Model, p: &[f64]) -> Result<Vec<Path>, SimError> 
         .collect()
 }
 
-fn checked(of: &str, path: OutputPath) -> Result<OutputPath, SimError> {
+/// The path of an output, if there can be such a one.
+pub(crate) fn checked(of: &str, path: OutputPath) -> Result<OutputPath, SimError> {
     let possible = |x: f64| x >= 0.0 && x.is_finite();
     if !possible(path.delay) {
         return Err(SimError::Delay { of: of.to_owned(), value: path.delay });

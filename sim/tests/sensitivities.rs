@@ -2,7 +2,7 @@
 
 mod models;
 
-use models::{Hand, Linear, Pendulum, Wall};
+use models::{Hand, Linear, Misread, Pendulum, Played, Wall};
 use runtime::Model;
 use sim::{FixedMethod, Forward, Hold, Options, Pattern, Signal, Signals, Status, simulate};
 
@@ -64,30 +64,55 @@ fn orders_inside_and_at_the_end_of_steps() {
     }
 }
 
+/// The derivatives of output 0 by all parameters and initial states are those of the same computation.
+fn compare_with_differences(model: &dyn Model, p: &[f64], pattern: Pattern) {
+    let all: Vec<usize> = (0..p.len()).collect();
+    let run = fixed(model, p, &X0, &all, pattern);
+    // central differences of the same computation: error h^2 f'''/6 + rounding/h, about 1e-9 here
+    let h = 1e-5;
+    for column in 0..p.len() + 2 {
+        let moved = |by: f64| {
+            let (mut p, mut x0) = (p.to_vec(), X0);
+            match column.checked_sub(p.len()) {
+                None => p[column] += by,
+                Some(state) => x0[state] += by,
+            }
+            fixed(model, &p, &x0, &[], pattern).y
+        };
+        for (k, (above, below)) in moved(h).iter().zip(moved(-h)).enumerate() {
+            let wanted = (above - below) / (2.0 * h);
+            let found = run.dy[k][column];
+            assert!((found - wanted).abs() < 1e-7, "{pattern:?}, column {column} at {k}: {found} {wanted}");
+        }
+    }
+}
+
 #[test]
 fn derivatives_are_those_of_the_computed_outputs() {
     for method in [FixedMethod::Classical, FixedMethod::DormandPrince] {
-        let pattern = steps(method, 0.05);
-        let run = fixed(&Hand(Pendulum), &P, &X0, &[0, 1, 2], pattern);
-        // central differences of the same computation: error h^2 f'''/6 + rounding/h, about 1e-9 here
-        let h = 1e-5;
-        for column in 0..5 {
-            let moved = |by: f64| {
-                let (mut p, mut x0) = (P, X0);
-                if column < 3 {
-                    p[column] += by
-                } else {
-                    x0[column - 3] += by
-                }
-                fixed(&Hand(Pendulum), &p, &x0, &[], pattern).y
-            };
-            for (k, (above, below)) in moved(h).iter().zip(moved(-h)).enumerate() {
-                let wanted = (above - below) / (2.0 * h);
-                let found = run.dy[k][column];
-                assert!((found - wanted).abs() < 1e-7, "{method:?}, column {column} at {k}: {found} {wanted}");
-            }
-        }
+        compare_with_differences(&Hand(Pendulum), &P, steps(method, 0.05));
     }
+}
+
+#[test]
+fn readings_behind_a_play_and_their_derivatives() {
+    let p = [P[0], P[1], P[2], 0.3];
+    for method in [FixedMethod::Classical, FixedMethod::DormandPrince] {
+        compare_with_differences(&Hand(Played), &p, steps(method, 0.05));
+    }
+    // a play of no width opens: forwards differences
+    let pattern = steps(FixedMethod::DormandPrince, 0.05);
+    let [closed, open] = [0.0, 1e-6].map(|width| fixed(&Hand(Played), &[P[0], P[1], P[2], width], &X0, &[3], pattern));
+    let worst = (0..closed.y.len()).map(|k| (closed.dy[k][0] - (open.y[k] - closed.y[k]) / 1e-6).abs()).fold(0.0, f64::max);
+    assert!(worst < 1e-6 && closed.dy.iter().any(|dy| dy[0].abs() == 1.0), "{worst:e}");
+    let run = fixed(&Hand(Played), &p, &X0, &[3], steps(FixedMethod::DormandPrince, 0.005));
+    let exact = simulate(&Hand(Played), &p, &X0, &signals(), &times(), &Options::default()).unwrap().output(0);
+    assert!(run.y.iter().zip(&exact).all(|(a, b)| (a - b).abs() < 1e-8));
+    // it stands, and its derivative with it, a good part of the time: at both turns at least
+    let stands = (1..run.y.len()).filter(|&k| run.y[k] == run.y[k - 1]).collect::<Vec<_>>();
+    assert!(stands.len() > 40 && stands.iter().all(|&k| run.dy[k] == run.dy[k - 1]), "{}", stands.len());
+    // a wider play takes more off what was on the way up, and off what was on the way down
+    assert!(run.dy.iter().any(|dy| dy[0] > 0.9) && run.dy.iter().any(|dy| dy[0] < -0.9), "{:?}", run.dy);
 }
 
 #[test]
@@ -111,6 +136,9 @@ fn ends_and_arguments() {
     let refused = |free: &[usize], step: f64| {
         Forward::new(&Hand(Wall), &signals, &times, &[0], free, 0, steps(FixedMethod::Classical, step)).err().unwrap().to_string()
     };
+    let mut misread = Forward::new(&Hand(Misread), &signals, &times, &[0], &[], 0, steps(FixedMethod::Classical, 0.1)).unwrap();
+    let refused_play = misread.run(&[1.0], &[0.0; 2], &[], &mut |_, _, _, _| {}).unwrap_err().to_string();
+    assert_eq!(refused_play, "the play of q0 is -0.5; a play is zero or positive");
     assert_eq!(refused(&[], 0.0), "the step must be a positive number, not 0");
     assert_eq!(refused(&[7], 0.1), "8 parameters were given, the model has 1");
 }

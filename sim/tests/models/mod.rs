@@ -14,6 +14,9 @@ pub trait Equations: Sync {
     const OUTPUT_PATH: OutputPath = OutputPath { delay: 0.0, play: 0.0, quantum: 0.0, wrapped: false };
     fn rhs(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular>;
     fn slopes(&self, _t: f64, _x: &[f64], _u: &[f64], _p: &[f64], _a: &mut [f64], _b: &mut [f64], _dp: &mut [f64]) {}
+    fn output_path(&self, _p: &[f64]) -> OutputPath {
+        Self::OUTPUT_PATH
+    }
 }
 
 /// Behind the model trait: outputs are the coordinates.
@@ -83,8 +86,8 @@ impl<E: Equations> Model for Hand<E> {
     fn input_path(&self, _: usize, _: &[f64]) -> InputPath {
         InputPath { limits: E::LIMITS, delay: E::DELAY }
     }
-    fn output_path(&self, _: usize, _: &[f64]) -> OutputPath {
-        E::OUTPUT_PATH
+    fn output_path(&self, _: usize, p: &[f64]) -> OutputPath {
+        self.0.output_path(p)
     }
 }
 
@@ -120,6 +123,25 @@ impl Equations for Pendulum {
         a.copy_from_slice(&[0.0, 1.0, -p[0] * x[0].cos(), -p[1]]);
         b.copy_from_slice(&[0.0, p[2]]);
         dp.copy_from_slice(&[0.0, 0.0, 0.0, -x[0].sin(), -x[1], u[0]]);
+    }
+}
+
+/// The pendulum behind a play of 2 p3, read late.
+pub struct Played;
+
+impl Equations for Played {
+    const COORDINATES: usize = 1;
+    const PARAMETERS: usize = 4;
+    fn rhs(&self, t: f64, x: &[f64], u: &[f64], p: &[f64], dx: &mut [f64]) -> Result<(), Singular> {
+        Pendulum.rhs(t, x, u, p, dx)
+    }
+    fn slopes(&self, _t: f64, x: &[f64], u: &[f64], p: &[f64], a: &mut [f64], b: &mut [f64], dp: &mut [f64]) {
+        a.copy_from_slice(&[0.0, 1.0, -p[0] * x[0].cos(), -p[1]]);
+        b.copy_from_slice(&[0.0, p[2]]);
+        dp.copy_from_slice(&[0.0, 0.0, 0.0, 0.0, -x[0].sin(), -x[1], u[0], 0.0]);
+    }
+    fn output_path(&self, p: &[f64]) -> OutputPath {
+        OutputPath { delay: 0.03, play: 2.0 * p[3], quantum: 0.0, wrapped: false }
     }
 }
 
