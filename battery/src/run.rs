@@ -193,7 +193,8 @@ pub fn experiments(bench: &Bench, plant: &Plant, condition: &Condition, seed: u6
         if condition.fault == Some(Fault::OfTheDay) && k < 2 {
             plant.joints[0].constant += 0.06 * bench.strong[0];
         }
-        all.push(experiment(bench, &plant, condition, kind, condition.samples.unwrap_or(samples), seed.wrapping_mul(7).wrapping_add(k as u64)));
+        let count = condition.samples.unwrap_or(samples);
+        all.push(experiment(bench, &plant, condition, kind, count, seed.wrapping_mul(7).wrapping_add(k as u64)));
     }
     all
 }

@@ -24,6 +24,7 @@ mod next;
 mod options;
 pub mod patch;
 mod quality;
+mod regulated;
 mod screen;
 mod search;
 mod shapes;

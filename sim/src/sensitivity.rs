@@ -4,7 +4,8 @@
 //! the sensitivities are the derivatives of the computed trajectory itself. No step crosses a switch of an input; a step
 //! may span many samples, which are then read from the method's polynomial. Delays are time shifts: an input's delay
 //! moves its switches (the state's sensitivity jumps there by the difference of the slopes), an output's delay the time
-//! at which the state is read. A reading behind a play keeps its derivative as long as it stands. The workspace is made once; a step allocates nothing.
+//! at which the state is read. A reading behind a play keeps its derivative as long as it stands. The workspace is made
+//! once; a step allocates nothing.
 
 use crate::error::SimError;
 use crate::output_path::{Contact, contact};

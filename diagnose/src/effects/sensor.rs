@@ -1,5 +1,6 @@
 //! Effects on the way from a motion to its measured value.
 
+use super::joint::is_dry;
 use super::unit::{Text, is_angle};
 use super::{Edit, Effect, EffectParameter, LARGEST, Names, Scales, Signature, at_most, parameter};
 use model_dsl::rig::{Expr, Output, Rig, Symbol};
@@ -26,10 +27,14 @@ pub(super) fn effects(rig: &Rig, scales: &Scales, names: &mut Names, out: &mut V
         let name = names.free(&format!("r_y_{}", y.name));
         let p = parameter(&name, unit.by(&Text::read("s"), -1).text(), false, "drift of the sensor");
         add("sensor_drift", y.name.clone(), p, "drift", Signature::Parameters, true);
-        let name = names.free(&format!("w_{}", y.name));
-        let p = parameter(&name, unit_text, true, "play between joint and sensor");
-        add("backlash", y.name.clone(), p, "play", Signature::Parameters, false);
-        let Expr::Symbol(Symbol::Coordinate(own)) = y.value else { continue };
+        let own = if let Expr::Symbol(Symbol::Coordinate(own)) = y.value { Some(own) } else { None };
+        // a joint that sticks stands like a reading within its play: where the text has dry friction, records hardly tell one from the other
+        if own.is_none_or(|own| !is_dry(rig, own)) {
+            let name = names.free(&format!("w_{}", y.name));
+            let p = parameter(&name, unit_text, true, "play between joint and sensor");
+            add("backlash", y.name.clone(), p, "play", Signature::Parameters, false);
+        }
+        let Some(own) = own else { continue };
         // an axis that leans reads a part of another angle
         if !is_angle(rig, own) {
             continue;

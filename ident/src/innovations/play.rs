@@ -27,8 +27,10 @@ impl Slack {
         let half = 0.5 * width;
         let (above, below) = ((half - e) / sd, (-half - e) / sd);
         if !(above.is_finite() && below.is_finite() && above - below < 1e12) {
-            let beyond = if e > half { 1.0 } else if e < -half { -1.0 } else { 0.0 };
-            return Self { mean: if beyond == 0.0 { 0.0 } else { e - beyond * half }, slope: f64::abs(beyond), rest: 0.0, by_width: -0.5 * beyond };
+            // nothing is uncertain
+            let moved = e - e.clamp(-half, half);
+            let beyond = if moved == 0.0 { 0.0 } else { moved.signum() };
+            return Self { mean: moved, slope: beyond.abs(), rest: 0.0, by_width: -0.5 * beyond };
         }
         let (over, under) = (tail(above), tail(-below));
         let (at_over, at_under) = (density(above), density(below));
@@ -166,7 +168,10 @@ mod tests {
         for (e, sd, width) in [(0.3, 0.5, 1.0), (-2.0, 0.4, 1.0), (0.0, 1.0, 0.2), (1.1, 0.1, 2.0), (5.0, 1.0, 0.0)] {
             let s = Slack::new(e, sd, width);
             let (mean, slope, rest) = by_quadrature(e, sd, width);
-            assert!((s.mean - mean).abs() < 1e-6 && (s.slope - slope).abs() < 1e-4 && (s.rest - rest).abs() < 1e-5, "{s:?} {mean} {slope} {rest}");
+            assert!(
+                (s.mean - mean).abs() < 1e-6 && (s.slope - slope).abs() < 1e-4 && (s.rest - rest).abs() < 1e-5,
+                "{s:?} {mean} {slope} {rest}"
+            );
             let h = 1e-5;
             let by = (Slack::new(e, sd, width + h).mean - Slack::new(e, sd, width - h).mean) / (2.0 * h);
             assert!((s.by_width - by).abs() < 1e-6, "{} {by}", s.by_width);
@@ -178,7 +183,10 @@ mod tests {
         for (e, mean, slope, by) in [(0.2, 0.0, 0.0, 0.0), (1.5, 1.0, 1.0, -0.5), (-0.9, -0.4, 1.0, 0.5)] {
             for sd in [0.0, 1e-9] {
                 let s = Slack::new(e, sd, 1.0);
-                assert!((s.mean - mean).abs() < 1e-12 && (s.slope - slope).abs() < 1e-12 && (s.by_width - by).abs() < 1e-12, "{e} {sd}: {s:?}");
+                assert!(
+                    (s.mean - mean).abs() < 1e-12 && (s.slope - slope).abs() < 1e-12 && (s.by_width - by).abs() < 1e-12,
+                    "{e} {sd}: {s:?}"
+                );
             }
         }
     }
