@@ -435,29 +435,10 @@ pub(crate) fn run(
                 seen_before = early * (0..n).map(|j| c[j] * rate_middle[j]).sum::<f64>();
             }
             let (mut expected, mut slope) = ((y[output] - seen_before) + moved, 1.0);
-            // derivatives of what is expected, with their sign turned
-            if m > 0 {
-                row.fill(0.0);
-                for (c, sensitivity) in c.iter().zip(carried.sensitivity.chunks_exact(m)) {
-                    if *c != 0.0 {
-                        row.iter_mut().zip(sensitivity).for_each(|(r, s)| *r -= c * s);
-                    }
-                }
-                for (r, column) in row.iter_mut().zip(columns) {
-                    match column {
-                        Column::Parameter(j) => *r -= dhdp[output * d.parameters + j],
-                        Column::Weighted(j, shape) => {
-                            let own = dhdp[output * d.parameters + j];
-                            if own != 0.0 {
-                                *r -= own * shape(t, &carried.state[..n], &u);
-                            }
-                        }
-                        _ => {}
-                    }
-                }
-                for &(column, _, seconds) in delayed.iter().filter(|(_, o, _)| *o == output) {
-                    row[column] += seconds * (0..n).map(|j| c[j] * rate[j]).sum::<f64>();
-                }
+            let weigh = |shape: &Shape| shape(t, &carried.state[..n], &u);
+            turned(&mut row, (c, &carried.sensitivity), columns, &dhdp[output * d.parameters..(output + 1) * d.parameters], weigh);
+            for &(column, _, seconds) in delayed.iter().filter(|(_, o, _)| *o == output) {
+                row[column] += seconds * (0..n).map(|j| c[j] * rate[j]).sum::<f64>();
             }
             // covariance of what is expected with the states, and its own
             let mut variance = 0.0;
@@ -479,10 +460,7 @@ pub(crate) fn run(
                     followed += 1;
                     let slack = Slack::new(expected - reading.value, spread, reading.width);
                     reading.follow(&slack, &with, variance, cross);
-                    let weight = |column: usize| match columns[column] {
-                        Column::Weighted(_, shape) => shape(t, &carried.state[..n], &u),
-                        _ => 1.0,
-                    };
+                    let weight = |column: usize| if let Column::Weighted(_, shape) = columns[column] { weigh(shape) } else { 1.0 };
                     reading.turn(&slack, weight, &mut row);
                     slope = slack.slope;
                 }
@@ -557,6 +535,27 @@ pub(crate) fn run(
         }
     }
     Ok(Some(found))
+}
+
+/// `row`: derivatives of an output by the columns, with their sign turned; through the state, of which it has the derivatives `c`, and by
+/// themselves (`dhdp`).
+fn turned(row: &mut [f64], (c, sensitivity): (&[f64], &[f64]), columns: &[Column<'_>], dhdp: &[f64], weigh: impl Fn(&Shape) -> f64) {
+    if row.is_empty() {
+        return;
+    }
+    row.fill(0.0);
+    for (c, sensitivity) in c.iter().zip(sensitivity.chunks_exact(row.len())) {
+        if *c != 0.0 {
+            row.iter_mut().zip(sensitivity).for_each(|(r, s)| *r -= c * s);
+        }
+    }
+    for (r, column) in row.iter_mut().zip(columns) {
+        match column {
+            Column::Parameter(j) => *r -= dhdp[*j],
+            Column::Weighted(j, shape) if dhdp[*j] != 0.0 => *r -= dhdp[*j] * weigh(*shape),
+            _ => {}
+        }
+    }
 }
 
 /// Measured outputs of a sensor with a delay: what is nearest to each sample, and how long before the sample the sensor saw it [s].
