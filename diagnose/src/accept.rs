@@ -3,7 +3,6 @@
 use crate::base_fit::{Fitted, from_first_halves, middle};
 use crate::chance::{beyond, variance_of_sum};
 use crate::effects::Edit;
-use crate::error::DiagnoseError;
 use crate::figures::{self, NONE, predictions};
 use crate::model::{Included, Prepared};
 use crate::options::Options;
@@ -68,7 +67,7 @@ pub enum Refusal {
     Small(f64),
     /// It makes predictions of the test records worse.
     Worse,
-    /// A test record cannot be followed with it.
+    /// A record cannot be followed with it.
     Lost,
     /// Another one, which is refused, explains the training records better.
     Shadow,
@@ -89,7 +88,7 @@ impl fmt::Display for Refusal {
             Self::NoGain(s) => write!(f, "the test records do not have it: they show {} of it", share(s)),
             Self::Small(closed) => write!(f, "it closes only {:.0} % of the gap on other records", 100.0 * closed),
             Self::Worse => write!(f, "it makes predictions on other records worse"),
-            Self::Lost => write!(f, "a test record cannot be followed with it"),
+            Self::Lost => write!(f, "a record cannot be followed with it"),
             Self::Shadow => write!(f, "an effect that is refused explains the training records better"),
         }
     }
@@ -127,10 +126,7 @@ pub struct Bench<'a> {
 }
 
 /// Judges a refitted candidate against the model before it.
-///
-/// # Errors
-/// [`DiagnoseError`] where a training record cannot be followed.
-pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<Ruling, DiagnoseError> {
+pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Ruling {
     let by_record = tried.included.last().is_some_and(|i| i.effect.by_record);
     // what belongs to the day is judged on the second half of every record, with what its first half says
     let (later, p_later) =
@@ -147,7 +143,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     let alike = figures::Judged { noise: &bench.fitted.found.noise, ..new };
     let alike = weigh(&before, &predictions(alike, &later, bench.horizon), bench.horizon);
     let error_ratio = alike.iter().map(Weighed::ratio).sum::<f64>() / alike.len().max(1) as f64;
-    let refuse = |why: Refusal, gain: (f64, f64)| Ok(Ruling { refused: Some(why), gain, error_ratio });
+    let refuse = |why: Refusal, gain: (f64, f64)| Ruling { refused: Some(why), gain, error_ratio };
     let none = (0.0, f64::INFINITY);
     let own = tried.prepared.of_effect.last().cloned().unwrap_or_default();
     let estimates: Vec<_> = tried.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).collect();
@@ -159,7 +155,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     }
     if !options.method.other_records {
         let gain = (tried.fitted.found.log_likelihood - bench.fitted.found.log_likelihood) / tried.fitted.found.samples.max(1) as f64;
-        return Ok(Ruling { refused: (gain <= 0.0).then_some(Refusal::Vanishes), gain: (gain, 0.0), error_ratio });
+        return Ruling { refused: (gain <= 0.0).then_some(Refusal::Vanishes), gain: (gain, 0.0), error_ratio };
     }
     let way = if estimates.is_empty() { Way::From(&bench.prepared.model) } else { Way::Parameters(&own) };
     let noise = &tried.fitted.found.noise;
@@ -167,7 +163,8 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     let mut train: Vec<(String, Option<Share>)> = Vec::new();
     let mut held: Vec<(String, Option<Share>)> = Vec::new();
     for (track, p) in bench.train.iter().zip(&tried.fitted.found.p).filter(|_| !by_record) {
-        train.push((track.source().to_owned(), of(p, track)?));
+        let Ok(share) = of(p, track) else { return refuse(Refusal::Lost, none) };
+        train.push((track.source().to_owned(), share));
     }
     for (track, p) in later.iter().zip(&p_later) {
         match of(p, track) {
@@ -220,7 +217,7 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Result<
     if error_ratio > WORSE || (alike.iter().any(Weighed::worse) && !when) {
         return refuse(Refusal::Worse, gain);
     }
-    Ok(Ruling { refused: None, gain, error_ratio })
+    Ruling { refused: None, gain, error_ratio }
 }
 
 /// A number of the effect that is larger than such a thing can be.

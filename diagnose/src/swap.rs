@@ -81,7 +81,7 @@ pub(crate) fn in_place_of(
             continue;
         }
         let bench = Bench { prepared: &without.prepared, fitted: &without.fitted, train: tracks, held, before: &at_gate, horizon };
-        let verdict = judge(&bench, &rival, ask.options)?;
+        let verdict = judge(&bench, &rival, ask.options);
         let title = left[rival.index].title();
         if let Some(why) = &verdict.refused {
             tell(&format!("  {title} in the place of {}: {why}", own.title()));

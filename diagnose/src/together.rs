@@ -74,13 +74,16 @@ pub(crate) fn together(
         let numbers = state.open(effects);
         let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
         tell(&format!("  beside {}: screening {} candidates ..", state.accepted[before].effect.title(), left.len()));
-        let round = state.screen(ask, &left, tracks, &[])?;
+        // what was refused may be a model that no record follows
+        let Ok(round) = state.screen(ask, &left, tracks, &[]) else { return Ok(None) };
         let at_gate = predicted(&state.fitted, &state.prepared, held, horizon);
         let mut next: Option<(Tried, Ruling)> = None;
         for mut tried in state.try_best(ask, &left, &round, tracks, held).into_iter().take(COMPANIONS) {
-            state.work_out(ask, &left, &round, &mut tried, tracks, held)?;
+            if state.work_out(ask, &left, &round, &mut tried, tracks, held).is_err() {
+                continue;
+            }
             let bench = Bench { prepared: &state.prepared, fitted: &state.fitted, train: tracks, held, before: &at_gate, horizon };
-            let verdict = judge(&bench, &tried, ask.options)?;
+            let verdict = judge(&bench, &tried, ask.options);
             if let Some(why) = &verdict.refused {
                 tell(&format!("    {}: {why}", left[tried.index].title()));
             }
@@ -131,7 +134,7 @@ fn all_pass(
         let tried = Tried { index: 0, value: 0.0, included: fewer, prepared, fitted, equivalent: Vec::new() };
         let at_gate = predicted(&fitted_without, &without, held, horizon);
         let bench = Bench { prepared: &without, fitted: &fitted_without, train: tracks, held, before: &at_gate, horizon };
-        member.verdict = judge(&bench, &tried, ask.options)?;
+        member.verdict = judge(&bench, &tried, ask.options);
         if let Some(why) = &member.verdict.refused {
             (ask.options.progress)(&format!("  {} with the others: {why}", tried.included[before + last].effect.title()));
             return Ok(false);

@@ -96,12 +96,13 @@ impl<'a> Search<'a> {
                 Refusal::Shadow
             } else if judged == MOST_JUDGED {
                 break;
+            } else if self.current.work_out(&self.ask, &left, round, &mut tried, tracks, held).is_err() {
+                Refusal::Lost
             } else {
                 judged += 1;
-                self.current.work_out(&self.ask, &left, round, &mut tried, tracks, held)?;
                 let (prepared, fitted) = (&self.current.prepared, &self.current.fitted);
                 let bench = Bench { prepared, fitted, train: tracks, held, before: &self.at_gate, horizon };
-                let verdict = judge(&bench, &tried, options)?;
+                let verdict = judge(&bench, &tried, options);
                 error_ratio = verdict.error_ratio;
                 let Some(why) = verdict.refused else {
                     let passed = Passed { is: Candidate::of(&tried, numbers, round), verdict, error_ratio };

@@ -26,6 +26,11 @@ impl Slack {
     pub fn new(e: f64, sd: f64, width: f64) -> Self {
         let half = 0.5 * width;
         let (above, below) = ((half - e) / sd, (-half - e) / sd);
+        if width == 0.0 {
+            // it goes along, however well the motion is known
+            let side = if e == 0.0 { 0.0 } else { 1.0 - 2.0 * tail(e / sd) };
+            return Self { mean: e, slope: 1.0, rest: 0.0, by_width: -0.5 * side };
+        }
         if !(above.is_finite() && below.is_finite() && above - below < 1e12) {
             // nothing is uncertain
             let moved = e - e.clamp(-half, half);
@@ -175,6 +180,16 @@ mod tests {
             let h = 1e-5;
             let by = (Slack::new(e, sd, width + h).mean - Slack::new(e, sd, width - h).mean) / (2.0 * h);
             assert!((s.by_width - by).abs() < 1e-6, "{} {by}", s.by_width);
+        }
+    }
+
+    #[test]
+    fn without_play_it_goes_along() {
+        for (e, sd) in [(0.0, 0.0), (0.3, 0.0), (0.3, 0.5), (-2.0, 0.1)] {
+            let s = Slack::new(e, sd, 0.0);
+            assert_eq!((s.mean, s.slope, s.rest), (e, 1.0, 0.0));
+            let near = Slack::new(e, sd.max(1e-9), 1e-12);
+            assert!(sd == 0.0 || (s.by_width - near.by_width).abs() < 1e-6, "{s:?} {near:?}");
         }
     }
 
