@@ -18,7 +18,11 @@ const PENDULUM: &str = "rig Pendulum {
 }";
 
 fn model() -> InProcess {
-    let checked = model_dsl::check_text("test.rig", PENDULUM);
+    model_of(PENDULUM)
+}
+
+fn model_of(text: &str) -> InProcess {
+    let checked = model_dsl::check_text("test.rig", text);
     let rig = checked.rig.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     InProcess::new(derive(&rig, Options::default()).unwrap())
 }
@@ -175,4 +179,26 @@ fn play_is_likeliest_where_it_is_though_an_encoder_counts_more_coarsely() {
             }
         }
     }
+}
+
+#[test]
+fn play_of_no_width_is_no_play() {
+    let with = model();
+    let plain = model_of(&PENDULUM.replace(" play w;", ""));
+    let index = |model: &InProcess, name: &str| (0..model.dimensions().parameters).find(|&i| model.names().parameter(i) == name).unwrap();
+    let found = [&with, &plain].map(|model| {
+        let mut p = vec![0.0; model.dimensions().parameters];
+        model.nominal(&mut p);
+        p[index(model, "d")] = 0.0;
+        let noise =
+            Noise { entries: vec![index(model, "pushed")], sd: vec![0.01], time: vec![0.2], output_sd: vec![1e-4], dry: Vec::new() };
+        let track = Track::new(&played(1, 1e-3, 2e-4), model, &p, Hold::Zero).unwrap();
+        let columns = ["J", "mgl", "y_0", "r"].map(|name| By::Parameter(index(model, name)));
+        pass(model, &p, &track, &noise, &columns).unwrap().unwrap()
+    });
+    let off = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())).fold(0.0, f64::max);
+    let [with, plain] = found;
+    assert_eq!(with.z.len(), plain.z.len());
+    println!("{} {}", off(&with.z, &plain.z), off(&with.jacobian, &plain.jacobian));
+    assert!(off(&with.z, &plain.z) < 1e-9 && off(&with.jacobian, &plain.jacobian) < 1e-9);
 }
