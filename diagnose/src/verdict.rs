@@ -9,6 +9,9 @@ use crate::search::State;
 use ident::record::Record;
 use runtime::Model;
 
+/// Most refusals that a sentence tells.
+const REASONS: usize = 3;
+
 /// A candidate that was refused.
 pub(crate) struct Rejected {
     /// It.
@@ -93,10 +96,9 @@ pub(crate) fn finish(
     let contradicted = open.iter().any(|r| !matches!(r.why, Refusal::Untold(_)));
     (answer.verdict, answer.because) = if answer.findings.is_empty() {
         if contradicted {
-            let list: Vec<String> = rejected.iter().map(|r| format!("{} ({})", r.effect.title(), r.why)).collect();
             (
                 Verdict::OutsideCatalogue,
-                format!("there is a gap, but no candidate stands the test on other records: {}{words}", list.join("; ")),
+                format!("there is a gap, but no candidate stands the test on other records: {}{words}", reasons(rejected)),
             )
         } else if !untold.is_empty() {
             (
@@ -162,4 +164,17 @@ pub(crate) fn finish(
         answer.patched = files;
     }
     Ok(())
+}
+
+/// Why candidates were refused, the first few; those that explain less than a refused one are only counted.
+fn reasons(rejected: &[Rejected]) -> String {
+    let (told, shadowed): (Vec<&Rejected>, Vec<&Rejected>) = rejected.iter().partition(|r| r.why != Refusal::Shadow);
+    let mut list: Vec<String> = told.iter().take(REASONS).map(|r| format!("{} ({})", r.effect.title(), r.why)).collect();
+    if told.len() > REASONS {
+        list.push(format!("and {} more", told.len() - REASONS));
+    }
+    if !shadowed.is_empty() {
+        list.push(format!("{} more explain the training records less than these", shadowed.len()));
+    }
+    list.join("; ")
 }
