@@ -93,7 +93,7 @@ impl Regulator {
         Some(driven)
     }
 
-    /// The commands so far, as long as a delay reaches back.
+    /// All commands so far: a delay may reach back.
     fn signals(&self, u: &[Vec<f64>], t: &[f64]) -> Option<Signals> {
         let of = |i: usize| Signal { t: t[..u.len()].to_vec(), values: u.iter().map(|u| u[i]).collect(), hold: Hold::Zero };
         Signals::new((0..self.u.len()).map(of).collect()).ok()
