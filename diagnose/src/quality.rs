@@ -108,15 +108,20 @@ fn outliers(values: &[f64], quantum: f64, turn: Option<f64>) -> Vec<usize> {
     let near = |v: f64| turn.map_or(v, |turn| v - turn * (v / turn).round());
     let mut good = vec![true; count];
     let off = |k: usize, good: &[bool]| -> f64 {
-        let before: Vec<usize> = (0..k).rev().filter(|&i| good[i]).take(2).collect();
-        let after: Vec<usize> = (k + 1..count).filter(|&i| good[i]).take(2).collect();
-        let (a, b) = match (&before[..], &after[..]) {
-            ([a, ..], [b, ..]) => (*a, *b),
-            ([a, b], []) | ([], [a, b]) => (*a, *b),
-            _ => return 0.0,
+        let before: Vec<usize> = (0..k).rev().filter(|&i| good[i]).take(3).collect();
+        let after: Vec<usize> = (k + 1..count).filter(|&i| good[i]).take(3).collect();
+        let from = |a: usize, b: usize| {
+            let slope = near(values[b] - values[a]) / (b as f64 - a as f64);
+            near(values[k] - values[a] - slope * (k as f64 - a as f64))
         };
-        let slope = near(values[b] - values[a]) / (b as f64 - a as f64);
-        near(values[k] - values[a] - slope * (k as f64 - a as f64))
+        match (&before[..], &after[..]) {
+            ([a, ..], [b, ..]) => from(*a, *b),
+            // the two that put it nearest to their line: one of the three may jump itself
+            ([a, b, c], []) | ([], [a, b, c]) => {
+                [from(*a, *b), from(*a, *c), from(*b, *c)].into_iter().min_by(|x, y| x.abs().total_cmp(&y.abs())).unwrap_or(0.0)
+            }
+            _ => 0.0,
+        }
     };
     let mut all: Vec<f64> = (0..count).map(|k| off(k, &good).abs()).collect();
     let mut sizes = all.clone();
@@ -128,11 +133,11 @@ fn outliers(values: &[f64], quantum: f64, turn: Option<f64>) -> Vec<usize> {
     let quantum = quantum.max(step);
     let scale = (1.4826 * sizes[count / 2]).max(sizes[count * 9 / 10] / 1.645).max(0.6 * quantum).max(f64::MIN_POSITIVE);
     // where a rig that mostly rests moves, samples leave their neighbours' lines in company
-    let first = all.clone();
-    let about = |k: usize| {
-        let mut near: Vec<f64> = (k.saturating_sub(8)..(k + 9).min(count)).filter(|i| i.abs_diff(k) > 1).map(|i| first[i]).collect();
+    let about = |k: usize, good: &[bool]| {
+        let others = (k.saturating_sub(8)..(k + 9).min(count)).filter(|i| i.abs_diff(k) > 1 && good[*i]);
+        let mut near: Vec<f64> = others.map(|i| off(i, good).abs()).collect();
         near.sort_by(f64::total_cmp);
-        near[near.len() / 2]
+        near.get(near.len() / 2).copied().unwrap_or(0.0)
     };
     // and where it begins to move from rest, the line bends to one side for several samples: a lone sample bends its neighbours the other way
     let moving = |k: usize, good: &[bool]| {
@@ -157,13 +162,13 @@ fn outliers(values: &[f64], quantum: f64, turn: Option<f64>) -> Vec<usize> {
         if size <= OUTLIER * scale || found.len() > count / 5 {
             break;
         }
-        if size <= OUTLIER * about(k) || moving(k, &good) {
+        if size <= OUTLIER * about(k, &good) || moving(k, &good) {
             all[k] = 0.0;
             continue;
         }
         (good[k], all[k]) = (false, 0.0);
         found.push(k);
-        let touched = (0..k).rev().filter(|&i| good[i]).take(2).chain((k + 1..count).filter(|&i| good[i]).take(2));
+        let touched = (0..k).rev().filter(|&i| good[i]).take(3).chain((k + 1..count).filter(|&i| good[i]).take(3));
         for i in touched.collect::<Vec<_>>() {
             all[i] = off(i, &good).abs();
         }
@@ -241,6 +246,17 @@ mod tests {
             values[k] += (if k % 2 == 0 { 1.0 } else { -1.0 }) * (8.0 + (k % 50) as f64);
         }
         assert_eq!(outliers(&values, 7.7e-4, None), bad);
+    }
+
+    #[test]
+    fn outliers_in_company_are_all_found() {
+        // from rest, as a rig starts
+        let mut values: Vec<f64> = (0..1200).map(|k| 0.01 * f64::from(k)).map(|t| 0.2 * t * t * (-0.2 * t).exp()).collect();
+        let bad = vec![2, 5, 13, 600, 1198];
+        for (&k, by) in bad.iter().zip([-1.8, 3.6, -3.9, 1.0, 2.0]) {
+            values[k] += by;
+        }
+        assert_eq!(outliers(&values, 1.6e-4, None), bad);
     }
 
     #[test]
