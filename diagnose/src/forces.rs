@@ -16,11 +16,11 @@ pub struct Force {
     pub unit: String,
 }
 
-/// One force for each coordinate whose motion is not prescribed.
+/// One force for each coordinate whose motion is not prescribed and that the training records show.
 #[must_use]
 pub fn forces(base: &Base) -> Vec<Force> {
     let rig = &base.rig;
-    let free = (0..rig.coordinates.len()).filter(|&i| !rig.coordinates[i].prescribed);
+    let free = (0..rig.coordinates.len()).filter(|&i| !rig.coordinates[i].prescribed && !base.unwatched.contains(&i));
     free.map(|i| Force { coordinate: i, parameter: format!("pushed_{}", rig.coordinates[i].name), unit: of_row(rig, i).text() }).collect()
 }
 

@@ -36,6 +36,7 @@ mod traces;
 mod turn;
 mod unseen;
 mod verdict;
+mod watched;
 mod workflow;
 
 pub use answer::{Candidate, Diagnosis, EffectValue, Figure, Figures, Finding, Moved, Overlaid, Place, Pushed, Traced, Verdict};

@@ -17,6 +17,8 @@ pub struct Base {
     pub rig: Rig,
     /// Its files; the first is the one that was read.
     pub sources: Sources,
+    /// Coordinates that no random force pushes, since no training record shows them.
+    pub unwatched: Vec<usize>,
 }
 
 /// An effect with the values that its text is to say: one for each of its parameters, with standard error.
@@ -87,7 +89,7 @@ pub fn check(files: &[(String, String)], rig: &str) -> Result<Base, PatchError> 
     let root = files.first().map_or("", |(name, _)| name.as_str());
     let Checked { rig, diagnostics, sources } = model_dsl::check(root, &Texts(files), &CheckOptions { rig: Some(rig.to_owned()) });
     match rig {
-        Some(rig) => Ok(Base { rig, sources }),
+        Some(rig) => Ok(Base { rig, sources, unwatched: Vec::new() }),
         None => {
             let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
             Err(PatchError::Rejected { why: errors.map(|d| d.render(&sources, false)).collect::<Vec<_>>().join("\n") })

@@ -189,7 +189,8 @@ impl State {
         let order = self.speaking(ask, left, round);
         // dry friction that holds a rig still does not show at its null value: tried from a finite one
         let level = self.fitted.found.noise.sd.clone();
-        let dry: Vec<usize> = (0..left.len()).filter(|&i| left[i].id == "coulomb" && !order.contains(&i)).collect();
+        let pushed = |i: usize| self.prepared.coordinates.iter().position(|&c| ask.base.rig.coordinates[c].name == left[i].place);
+        let dry: Vec<usize> = (0..left.len()).filter(|&i| left[i].id == "coulomb" && pushed(i).is_some() && !order.contains(&i)).collect();
         // the class of the best, and the first of every other class
         let alike = |a: usize, b: usize| cosine(&scores[a], &scores[b]).abs() > SAME;
         let mut few: Vec<usize> = order.iter().copied().filter(|&i| order.first().is_some_and(|&first| alike(i, first))).take(3).collect();
@@ -202,11 +203,12 @@ impl State {
         }
         few.extend(&dry);
         let mut tried: Vec<Tried> = Vec::new();
+        // the numbers of a shape are free in a refit: one beginning is enough for all shapes of an effect
+        let mut begun: Vec<(&str, &str)> = Vec::new();
         for index in few {
             let finite = dry.contains(&index);
             let step: Vec<f64> = if finite {
-                let entry = self.prepared.coordinates.iter().position(|&c| ask.base.rig.coordinates[c].name == left[index].place);
-                vec![entry.map_or(0.0, |k| level[k])]
+                vec![pushed(index).map_or(0.0, |k| level[k])]
             } else {
                 scores[index].step.iter().map(|s| s.0).collect()
             };
@@ -214,7 +216,13 @@ impl State {
             included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
             let gone_on = self.hurried(ask, included, index, &self.fitted, (&mut *tracks, held));
-            let anew = if self.fitted.lost { self.begun_anew(ask, left[index], index, (tracks, held)) } else { None };
+            let name = (left[index].id.as_str(), left[index].place.as_str());
+            let anew = if self.fitted.lost && !finite && !begun.contains(&name) {
+                begun.push(name);
+                self.begun_anew(ask, left[index], index, (tracks, held))
+            } else {
+                None
+            };
             let Some(found) = gone_on.into_iter().chain(anew).max_by(|a, b| a.value.total_cmp(&b.value)) else { continue };
             // a resonance that is damped away is none, and casts no shadow on others
             if matches!(left[index].signature, Signature::Resonance(_))

@@ -21,6 +21,7 @@ use crate::traces;
 use crate::turn::Search;
 use crate::unseen::unseen;
 use crate::verdict::{StillOpen, finish};
+use crate::watched::{leave_out_unknown, unwatched};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
 use ident::record::{Record, averaged};
@@ -70,6 +71,7 @@ pub fn diagnose(
 
     tell("looking at the records ..");
     answer.faults = look(&plain, &p0, raw, raw_test, (&mut tracks, &mut held));
+    answer.faults.extend(leave_out_unknown(&tracks, &mut held));
     if !answer.faults.is_empty() {
         return Ok(unusable(answer, began));
     }
@@ -78,6 +80,12 @@ pub fn diagnose(
         return Ok(answer);
     }
 
+    let unwatched = unwatched(&plain, &p0, &tracks);
+    for &i in &unwatched {
+        tell(&format!("  no training record measures {}: it moves as the model says", rig.rig.coordinates[i].name));
+    }
+    let rig = &Base { unwatched, ..rig.clone() };
+    let plain = prepare(rig, asked, &[], 0)?;
     let ranges: Vec<_> = rig.rig.coordinates.iter().filter_map(|c| Some((c.name.clone(), c.range?))).collect();
     let all: Vec<Record> = train.iter().chain(test).map(|r| averaged(r, block, &wrapped, &held_inputs)).collect();
     // where the rig's own values cannot even be run, nothing is known of mistakes

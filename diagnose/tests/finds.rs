@@ -14,7 +14,7 @@ fn examples() -> PathBuf {
 fn run(rig: &str, train: &[Record], test: &[Record]) -> Diagnosis {
     let file = examples().join(rig).display().to_string();
     let checked = model_dsl::check(&file, &FileLoader, &CheckOptions::default());
-    let base = Base { rig: checked.rig.unwrap(), sources: checked.sources };
+    let base = Base { rig: checked.rig.unwrap(), sources: checked.sources, unwatched: Vec::new() };
     let mut specs = ParameterSpec::of_rig(&base.rig);
     select(&mut specs, None, &["b1".to_owned(), "b4".to_owned()]).unwrap();
     let only =

@@ -3,6 +3,7 @@
 use super::error::FitError;
 use crate::compare::is_angle;
 use crate::compare::series::unwrap;
+use crate::preflight::quantum;
 use crate::record::{Bound, Record, Start, bind};
 use runtime::Model;
 use sim::{Hold, Signals};
@@ -17,22 +18,28 @@ pub(crate) struct Data {
     pub outputs: Vec<usize>,
     /// Their values, one list for each (SI).
     pub measured: Vec<Vec<f64>>,
+    /// The step in which each of them comes; zero where none is seen.
+    pub steps: Vec<f64>,
+    /// No more than this is white in each of them (standard deviation, SI).
+    pub white: Vec<f64>,
     pub start: Start,
 }
 
 impl Data {
     pub fn new(record: &Record, model: &dyn Model, hold: Hold) -> Result<Self, FitError> {
         let Bound { signals, outputs: columns, .. } = bind(record, model, hold)?;
-        let (mut outputs, mut measured) = (Vec::new(), Vec::new());
+        let (mut outputs, mut measured, mut steps) = (Vec::new(), Vec::new(), Vec::new());
         for (i, values) in columns.into_iter().enumerate() {
             let Some(mut values) = values else { continue };
             if is_angle(model.names().output_unit(i)) {
                 unwrap(&mut values);
             }
             outputs.push(i);
+            steps.push(quantum(&values).unwrap_or(0.0));
             measured.push(values);
         }
-        Ok(Self { source: record.source.clone(), times: record.t.clone(), signals, outputs, measured, start: record.start })
+        let white = measured.iter().map(|values| white(values)).collect();
+        Ok(Self { source: record.source.clone(), times: record.t.clone(), signals, outputs, measured, steps, white, start: record.start })
     }
 
     /// Inputs at time t [s] as the model sees them: within their limits.
@@ -44,6 +51,13 @@ impl Data {
         }
         u
     }
+}
+
+/// White noise that would make the third differences of these values; motion only adds to it.
+fn white(values: &[f64]) -> f64 {
+    let mut third: Vec<f64> = values.windows(4).map(|v| (v[3] - 3.0 * v[2] + 3.0 * v[1] - v[0]).abs()).filter(|d| d.is_finite()).collect();
+    third.sort_by(f64::total_cmp);
+    1.4826 * third.get(third.len() / 2).copied().unwrap_or(0.0) / 20_f64.sqrt()
 }
 
 /// Standard deviation of samples about their mean.

@@ -215,6 +215,16 @@ impl Track {
         }
     }
 
+    /// Leaves an output out.
+    pub fn leave_out(&mut self, output: usize) {
+        if let Some(i) = self.data.outputs.iter().position(|&o| o == output) {
+            self.data.outputs.remove(i);
+            self.data.measured.remove(i);
+            self.data.steps.remove(i);
+            self.data.white.remove(i);
+        }
+    }
+
     /// Only the samples `from..to`.
     #[must_use]
     pub fn part(&self, from: usize, to: usize, model: &dyn Model, p: &[f64]) -> Self {

@@ -1,7 +1,7 @@
 //! Sizes of the noises: what pushes the rig and what blurs its outputs.
 
 use super::filter::{Column, Pass, Track, pass};
-use crate::fit::data::spread;
+use crate::fit::data::{Data, spread};
 use crate::parallel::in_parallel;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
@@ -58,6 +58,8 @@ pub struct Noise {
 
 /// Least and largest noise of an output, in standard deviations of its encoder's steps (or 1e-5 of its spread).
 const OUTPUT: (f64, f64) = (1.0, 30.0);
+/// An output whose sensor is noisier may have this many times what its samples show as white.
+const WHITE: f64 = 2.0;
 
 impl Noise {
     /// A start: forces that move the rates by a twentieth of their spread within a fifth of a second.
@@ -107,11 +109,13 @@ fn spread_of(values: &[f64]) -> f64 {
     if finite.is_empty() { 0.0 } else { spread(&finite) }
 }
 
-/// The least noise of each output: that of its encoder's steps.
+/// The least noise of each output: that of its encoder's steps, declared or seen.
 pub(crate) fn floors(model: &dyn Model, p: &[f64], tracks: &[Track]) -> Vec<f64> {
     (0..model.dimensions().outputs)
         .map(|i| {
-            let quantum = model.output_path(i, p).quantum;
+            // a text that says nothing of an encoder: the steps that are seen
+            let declared = model.output_path(i, p).quantum;
+            let quantum = if declared > 0.0 { declared } else { over(tracks, i, |data| &data.steps) };
             (quantum / 12_f64.sqrt()).max(1e-5 * spread_over(tracks, i)).max(1e-12)
         })
         .collect()
@@ -241,7 +245,10 @@ impl Range {
         let output = floors(model, p, tracks)
             .into_iter()
             .enumerate()
-            .map(|(i, floor)| (OUTPUT.0 * floor, (OUTPUT.1 * floor).max(blur * spread_over(tracks, i))))
+            .map(|(i, floor)| {
+                let white = WHITE * over(tracks, i, |data| &data.white);
+                (OUTPUT.0 * floor, (OUTPUT.1 * floor).max(blur * spread_over(tracks, i)).max(white))
+            })
             .collect();
         Self { time: (period, (0.1 * shortest).clamp(2.0 * period, f64::max(2.0 * period, 2.0))), output }
     }
@@ -250,6 +257,12 @@ impl Range {
 /// Outputs that a record has.
 pub(crate) fn seen(model: &dyn Model, tracks: &[Track]) -> Vec<usize> {
     (0..model.dimensions().outputs).filter(|&i| tracks.iter().any(|t| t.measured().any(|(o, _)| o == i))).collect()
+}
+
+/// The largest of what the records' data say of an output.
+fn over(tracks: &[Track], output: usize, of: impl Fn(&Data) -> &Vec<f64>) -> f64 {
+    let each = tracks.iter().flat_map(|t| t.data.outputs.iter().zip(of(&t.data)));
+    each.filter(|(o, _)| **o == output).map(|(_, value)| *value).fold(0.0, f64::max)
 }
 
 /// Largest spread of an output over the records.
