@@ -587,6 +587,20 @@ pub enum Expr {
     Call(Function, Vec<Expr>),
 }
 
+impl Expr {
+    /// The names in it, each as often as it stands there.
+    #[must_use]
+    pub fn symbols(&self) -> Vec<Symbol> {
+        match self {
+            Self::Number(_) => Vec::new(),
+            Self::Symbol(s) => vec![*s],
+            Self::Neg(a) => a.symbols(),
+            Self::Binary(_, a, b) => [a.symbols(), b.symbols()].concat(),
+            Self::Call(_, args) => args.iter().flat_map(Self::symbols).collect(),
+        }
+    }
+}
+
 /// Binary operators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BinaryOp {

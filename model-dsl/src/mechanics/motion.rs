@@ -221,9 +221,7 @@ fn structural(c: &Context<'_>, free: &[usize], diagnostics: &mut Vec<Diagnostic>
     let carrying = carrying(c, &bodies);
     let mut moved = vec![false; c.rig.coordinates.len()];
     let mut mark = |e: &Expr| {
-        let mut all = Vec::new();
-        super::unused::symbols(e, &mut all);
-        for s in all {
+        for s in e.symbols() {
             if let Symbol::Coordinate(i) | Symbol::Rate(i) = s {
                 moved[i] = true;
             }

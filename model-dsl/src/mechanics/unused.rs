@@ -5,20 +5,6 @@ use crate::diagnostic::Diagnostic;
 use crate::rig::{Along, AssumptionKind, Expr, ForceKind, FrameRef, Step, Symbol};
 use std::collections::BTreeSet;
 
-/// Symbols of an expression.
-pub(super) fn symbols(e: &Expr, out: &mut Vec<Symbol>) {
-    match e {
-        Expr::Number(_) => {}
-        Expr::Symbol(s) => out.push(*s),
-        Expr::Neg(a) => symbols(a, out),
-        Expr::Binary(_, a, b) => {
-            symbols(a, out);
-            symbols(b, out);
-        }
-        Expr::Call(_, args) => args.iter().for_each(|a| symbols(a, out)),
-    }
-}
-
 /// E0305; which coordinates nothing uses.
 pub(super) fn coordinates(c: &Context<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<bool> {
     let used = |i: usize| [Symbol::Coordinate(i), Symbol::Rate(i), Symbol::Acceleration(i)].iter().any(|s| c.used.contains(s));
@@ -164,7 +150,7 @@ fn alive(c: &Context<'_>) -> BTreeSet<usize> {
     let friction = any(&|k| matches!(k, AssumptionKind::NeglectFriction { rows } if whole(rows)));
     let weightless = any(&|k| matches!(k, AssumptionKind::NeglectGravity { bodies: None, rows } if whole(rows)));
     let dropped = |name: &str| any(&|k| matches!(k, AssumptionKind::NeglectTerm { name: n, rows } if n == name && whole(rows)));
-    let mut see = |e: &Expr| symbols(e, &mut all);
+    let mut see = |e: &Expr| all.extend(e.symbols());
     for (k, b) in rig.bodies.iter().enumerate() {
         let falls = rig.gravity.is_some()
             && !weightless
@@ -259,9 +245,7 @@ fn alive(c: &Context<'_>) -> BTreeSet<usize> {
             let d = &rig.definitions[k];
             // the definition of a lump with a value of its own is what it stands for when lumps are expanded
             out.extend(d.parameter);
-            let mut inner = Vec::new();
-            symbols(&d.value, &mut inner);
-            take(&inner, &mut wanted, &mut out);
+            take(&d.value.symbols(), &mut wanted, &mut out);
         }
     }
     for a in &rig.assumptions {

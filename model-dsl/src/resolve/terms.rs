@@ -25,35 +25,16 @@ pub(super) fn names_in(ast: &Ast) -> Vec<String> {
     }
 }
 
-pub(super) fn symbols_in(e: &Expr, out: &mut Vec<Symbol>) {
-    match e {
-        Expr::Number(_) => {}
-        Expr::Symbol(s) => out.push(*s),
-        Expr::Neg(a) => symbols_in(a, out),
-        Expr::Binary(_, a, b) => {
-            symbols_in(a, out);
-            symbols_in(b, out);
-        }
-        Expr::Call(_, args) => args.iter().for_each(|a| symbols_in(a, out)),
-    }
-}
-
 pub(super) fn coordinates_in(e: &Expr) -> Vec<usize> {
-    let mut all = Vec::new();
-    symbols_in(e, &mut all);
-    all.into_iter().filter_map(|s| if let Symbol::Coordinate(k) = s { Some(k) } else { None }).collect()
+    e.symbols().into_iter().filter_map(|s| if let Symbol::Coordinate(k) = s { Some(k) } else { None }).collect()
 }
 
 pub(super) fn accelerations(e: &Expr) -> Vec<usize> {
-    let mut all = Vec::new();
-    symbols_in(e, &mut all);
-    all.into_iter().filter_map(|s| if let Symbol::Acceleration(k) = s { Some(k) } else { None }).collect()
+    e.symbols().into_iter().filter_map(|s| if let Symbol::Acceleration(k) = s { Some(k) } else { None }).collect()
 }
 
 pub(super) fn collect_inputs(e: &Expr, out: &mut Vec<usize>) {
-    let mut all = Vec::new();
-    symbols_in(e, &mut all);
-    out.extend(all.into_iter().filter_map(|s| if let Symbol::Input(k) = s { Some(k) } else { None }));
+    out.extend(e.symbols().into_iter().filter_map(|s| if let Symbol::Input(k) = s { Some(k) } else { None }));
 }
 
 /// Degree in the coordinates: 0, 1, 2 or more; `None` for anything that is no polynomial in them.
