@@ -52,3 +52,11 @@ fn a_compliance_is_found_with_its_resonance_and_damping() {
         assert!((value - truth).abs() < 3.0 * sd && *sd < 0.3 * truth, "{value} +- {sd}, hidden {truth}");
     }
 }
+
+#[test]
+fn a_length_that_grew_into_a_spring_is_told() {
+    // the spring is many times as stiff as gravity; a long arm does its work
+    let found = outcome("two", Rig::DoublePendulum, NOTHING[6], Hiding::These(&["spring", "backlash"], 3.0), 29);
+    assert_eq!(found.verdict, "partial", "{:?}: {}", found.said, found.because);
+    assert!(found.because.contains("where the text says 0.250 m: it may stand for something that is missing"), "{}", found.because);
+}

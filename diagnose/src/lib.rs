@@ -29,6 +29,7 @@ mod screen;
 mod search;
 mod shapes;
 mod shown;
+mod strained;
 mod strangers;
 mod swap;
 mod together;

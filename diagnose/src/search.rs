@@ -207,11 +207,8 @@ impl State {
         let mut begun: Vec<(&str, &str)> = Vec::new();
         for index in few {
             let finite = dry.contains(&index);
-            let step: Vec<f64> = if finite {
-                vec![pushed(index).map_or(0.0, |k| level[k])]
-            } else {
-                scores[index].step.iter().map(|s| s.0).collect()
-            };
+            let step: Vec<f64> =
+                if finite { vec![pushed(index).map_or(0.0, |k| level[k])] } else { scores[index].step.iter().map(|s| s.0).collect() };
             let mut included = self.accepted.clone();
             included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));

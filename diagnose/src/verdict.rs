@@ -30,6 +30,8 @@ pub(crate) struct StillOpen {
     pub left_over: Option<String>,
     /// What the records could not have shown of an effect that was found.
     pub unseen: Option<String>,
+    /// A number of a body that stands for something else.
+    pub strained: Option<String>,
 }
 
 /// Verdict, moved parameters, patched text.
@@ -40,7 +42,7 @@ pub(crate) fn finish(
     state: &State,
     before: &[(String, String, f64, f64)],
     (rejected, last): (&[Rejected], usize),
-    StillOpen { left_over, unseen }: StillOpen,
+    StillOpen { left_over, unseen, strained }: StillOpen,
     train: &[Record],
 ) -> Result<(), DiagnoseError> {
     let specs = &state.prepared.specs;
@@ -113,10 +115,12 @@ pub(crate) fn finish(
             (Verdict::OutsideCatalogue, format!("there is a gap that no candidate explains: {words}"))
         } else if answer.candidates.iter().all(|c| c.status == "not identifiable") && !answer.candidates.is_empty() {
             (Verdict::NotIdentifiable, "the fitted parameters imitate every candidate: these records move too little to tell".to_owned())
+        } else if let Some(strained) = &strained {
+            (Verdict::NotIdentifiable, format!("nothing is left that these records could show, but {strained}"))
         } else {
             (Verdict::NoGap, "nothing is missing that these records could show".to_owned())
         }
-    } else if let Some(equivalents) = equivalents.as_ref().filter(|_| left_over.is_none() && unseen.is_none()) {
+    } else if let Some(equivalents) = equivalents.as_ref().filter(|_| left_over.is_none() && unseen.is_none() && strained.is_none()) {
         (Verdict::Ambiguous, equivalents.clone())
     } else if !untold.is_empty() && !contradicted {
         (
@@ -125,11 +129,16 @@ pub(crate) fn finish(
         )
     } else if contradicted || left_over.is_some() {
         (Verdict::Partial, format!("something is left that no candidate explains{words}{besides}"))
+    } else if let Some(strained) = &strained {
+        (Verdict::Partial, format!("{strained}{besides}"))
     } else if let Some(unseen) = unseen {
         (Verdict::Partial, format!("{unseen}{besides}"))
     } else {
         (Verdict::Complete, "what is left is white".to_owned())
     };
+    if let Some(strained) = strained.filter(|words| !answer.because.contains(words.as_str())) {
+        answer.because.push_str(&format!("; {strained}"));
+    }
     if !answer.findings.is_empty() {
         let written: Vec<Written<'_>> = state
             .accepted

@@ -27,7 +27,10 @@ pub fn leave_out_unknown(tracks: &[Track], held: &mut [Track]) -> Vec<String> {
             test.measured().map(|(o, _)| o).filter(|o| !tracks.iter().flat_map(Track::measured).any(|(own, _)| own == *o)).collect();
         unknown.into_iter().for_each(|o| test.leave_out(o));
         if test.measured().next().is_none() {
-            faults.push(format!("{}: it measures nothing that a training record measures, so that nothing can be judged by it", test.source()));
+            faults.push(format!(
+                "{}: it measures nothing that a training record measures, so that nothing can be judged by it",
+                test.source()
+            ));
         }
     }
     faults

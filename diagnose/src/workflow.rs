@@ -15,6 +15,7 @@ use crate::patch::Base;
 use crate::quality::{ahead, integrates, look, mended, mistaken, stride, stride_of_start};
 use crate::screen::{SAME, UNIQUE, cosine};
 use crate::search::{Question, Round, State, scales};
+use crate::strained::strained;
 use crate::strangers::strangers;
 use crate::together::{Against, Passed};
 use crate::traces;
@@ -159,7 +160,7 @@ pub fn diagnose(
             answer.candidates = listed(&left, &round);
             answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
         }
-        open = StillOpen { left_over: round.left_over.clone(), unseen: unseen(&search.current, &left, &round) };
+        open = StillOpen { left_over: round.left_over.clone(), unseen: unseen(&search.current, &left, &round), strained: None };
         let full = search.passed.len() >= options.most_effects;
         if options.until == Step::Screen || full || !search.turn((&numbers, &round), &mut tracks)? {
             break;
@@ -173,6 +174,7 @@ pub fn diagnose(
     if !current.accepted.is_empty() {
         open.left_over = current.uneven(options, &tracks, &held).or(open.left_over);
     }
+    open.strained = strained(&rig.rig, &current);
     if options.traces && !answer.findings.is_empty() {
         let found = &current.fitted.found;
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.of_test, train, test, options.hold);

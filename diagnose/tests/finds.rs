@@ -1,7 +1,7 @@
 //! The simulated example from end to end: the hidden torque is named, with its size, and nothing is named where nothing is hidden.
 
 use diagnose::patch::Base;
-use diagnose::{Diagnosis, Options, Verdict, diagnose};
+use diagnose::{Diagnosis, Options, Step, Verdict, diagnose};
 use ident::fit::{ParameterSpec, select};
 use ident::record::{Record, read};
 use model_dsl::{CheckOptions, FileLoader};
@@ -11,15 +11,22 @@ fn examples() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../examples")
 }
 
-fn run(rig: &str, train: &[Record], test: &[Record]) -> Diagnosis {
+fn base(rig: &str) -> Base {
     let file = examples().join(rig).display().to_string();
     let checked = model_dsl::check(&file, &FileLoader, &CheckOptions::default());
-    let base = Base { rig: checked.rig.unwrap(), sources: checked.sources, unwatched: Vec::new() };
+    Base { rig: checked.rig.unwrap(), sources: checked.sources, unwatched: Vec::new() }
+}
+
+fn run(rig: &str, train: &[Record], test: &[Record]) -> Diagnosis {
+    asked(&base(rig), train, test, Step::Patch)
+}
+
+fn asked(base: &Base, train: &[Record], test: &[Record], until: Step) -> Diagnosis {
     let mut specs = ParameterSpec::of_rig(&base.rig);
     select(&mut specs, None, &["b1".to_owned(), "b4".to_owned()]).unwrap();
     let only =
         ["viscous", "quadratic_drag", "constant_torque", "gain_curvature", "sensor_scale", "input_coupling"].map(str::to_owned).to_vec();
-    diagnose(&base, &specs, train, test, &Options { only, ..Options::default() }).unwrap_or_else(|e| panic!("{e}"))
+    diagnose(base, &specs, train, test, &Options { only, until, ..Options::default() }).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn record(name: &str) -> Record {
@@ -54,4 +61,28 @@ fn a_quiet_record_is_refused() {
     let found = run("rigs/googol_identified.rig", &[short], &[record("simulated_doublets.csv")]);
     assert_eq!(found.verdict, Verdict::BadData);
     assert!(found.because.contains("too few"), "{}", found.because);
+}
+
+#[test]
+fn a_sensor_whose_encoder_the_text_does_not_declare_has_the_noise_of_its_steps() {
+    let declared = base("rigs/googol_identified.rig");
+    let without = |text: &str| text.lines().filter(|l| !l.trim_start().starts_with("encoder ")).collect::<Vec<_>>().join("\n");
+    let files: Vec<(String, String)> = declared.sources.files.iter().map(|(name, text)| (name.clone(), without(text))).collect();
+    let silent = diagnose::patch::check(&files, &declared.rig.name).unwrap();
+    let noise = |base: &Base| {
+        let found = asked(base, &[record("simulated_steps.csv")], &[record("simulated_doublets.csv")], Step::Where);
+        found.noise.unwrap().output_sd
+    };
+    for (silent, declared) in noise(&silent).into_iter().zip(noise(&declared)) {
+        assert!((silent / declared).ln().abs() < 0.2, "{silent} where a declared encoder gives {declared}");
+    }
+}
+
+#[test]
+fn what_no_training_record_measures_is_neither_pushed_nor_judged() {
+    let mut train = record("simulated_steps.csv");
+    train.columns.retain(|c| c.name != "psi");
+    let found = asked(&base("rigs/googol_identified.rig"), &[train], &[record("simulated_doublets.csv")], Step::Where);
+    assert_eq!(found.noise.unwrap().entries.len(), 2);
+    assert!(found.places.iter().all(|p| p.equation != "psi"), "{:?}", found.places);
 }
