@@ -203,8 +203,6 @@ impl State {
         }
         few.extend(&dry);
         let mut tried: Vec<Tried> = Vec::new();
-        // the numbers of a shape are free in a refit: one beginning is enough for all shapes of an effect
-        let mut begun: Vec<(&str, &str)> = Vec::new();
         for index in few {
             let finite = dry.contains(&index);
             let step: Vec<f64> =
@@ -213,13 +211,7 @@ impl State {
             included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
             let gone_on = self.hurried(ask, included, index, &self.fitted, (&mut *tracks, held));
-            let name = (left[index].id.as_str(), left[index].place.as_str());
-            let anew = if self.fitted.lost && !finite && !begun.contains(&name) {
-                begun.push(name);
-                self.begun_anew(ask, left[index], index, (tracks, held))
-            } else {
-                None
-            };
+            let anew = if self.fitted.lost { self.begun_anew(ask, left[index], index, (tracks, held)) } else { None };
             let Some(found) = gone_on.into_iter().chain(anew).max_by(|a, b| a.value.total_cmp(&b.value)) else { continue };
             // a resonance that is damped away is none, and casts no shadow on others
             if matches!(left[index].signature, Signature::Resonance(_))
