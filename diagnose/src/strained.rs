@@ -3,7 +3,7 @@
 
 use crate::patch::digits;
 use crate::search::State;
-use model_dsl::rig::{Expr, Rig, Step, Symbol};
+use model_dsl::rig::{EnergyKind, Expr, Rig, Step, Symbol};
 use runtime::Model;
 
 /// A mass, length or inertia this many times as large or small as the text says is not what the text means.
@@ -33,7 +33,7 @@ pub(crate) fn strained(rig: &Rig, state: &State) -> Option<String> {
     far.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)).map(|f| f.1)
 }
 
-/// Parameters in masses, places and inertias.
+/// Parameters in masses, places, inertias and kinetic energies.
 fn of_bodies(rig: &Rig) -> Vec<usize> {
     let bodies = rig.bodies.iter().flat_map(|b| b.center.iter().chain(&b.inertia).chain([&b.mass]));
     let steps = rig.frames.iter().flat_map(|f| &f.steps).filter_map(|step| match step {
@@ -41,7 +41,8 @@ fn of_bodies(rig: &Rig) -> Vec<usize> {
         Step::Rotate { .. } => None,
     });
     let mut found = Vec::new();
-    let mut open: Vec<&Expr> = bodies.chain(steps.flatten()).collect();
+    let kinetic = rig.functions.iter().filter(|e| matches!(e.kind, EnergyKind::Kinetic)).map(|e| &e.value);
+    let mut open: Vec<&Expr> = bodies.chain(steps.flatten()).chain(kinetic).collect();
     while let Some(e) = open.pop() {
         for symbol in e.symbols() {
             match symbol {
