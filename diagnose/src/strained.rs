@@ -1,5 +1,7 @@
 //! Numbers of bodies that a fit has moved so far from the text that they stand for something else: gravity does the work of a spring if an arm may
 //! become twenty times as long.
+//!
+//! Knows the text and where the search ended; nothing of records.
 
 use crate::patch::digits;
 use crate::search::State;
