@@ -2,7 +2,8 @@
 //! is not there.
 //!
 //! One Gauss-Newton step from the refitted model along the effect's own parameters, the fitted parameters of the rig free beside it, so
-//! that a rig that is slightly different on another day does not count against the effect.
+//! that a rig that is slightly different on another day does not count against the effect. Where the record was not fitted, they stay near what
+//! the others say of them: a record need not show all that the effect might be mistaken for.
 
 use crate::chance::variance_of_sum;
 use crate::model::Prepared;
@@ -41,11 +42,19 @@ pub enum Way<'a> {
     From(&'a dyn Model),
 }
 
-/// The share that a record shows of the effect in the refitted model, whose parameters for it are `p`. `None` where the record cannot be followed, or says nothing.
+/// The share that a record shows of the effect in the refitted model, whose parameters for it are `p`; `known` are standard deviations of
+/// those that other records know. `None` where the record cannot be followed, or says nothing.
 ///
 /// # Errors
 /// As [`ident::innovations::pass`].
-pub fn share(prepared: &Prepared, p: &[f64], way: &Way<'_>, noise: &Noise, track: &Track) -> Result<Option<Share>, FitError> {
+pub fn share(
+    prepared: &Prepared,
+    p: &[f64],
+    way: &Way<'_>,
+    noise: &Noise,
+    track: &Track,
+    known: &[(usize, f64)],
+) -> Result<Option<Share>, FitError> {
     let model: &dyn Model = &prepared.model;
     let noise = prepared.noise(noise);
     let track = track.begun(model, p);
@@ -65,7 +74,9 @@ pub fn share(prepared: &Prepared, p: &[f64], way: &Way<'_>, noise: &Noise, track
         Way::Parameters(own) => own.iter().map(|&i| p[i]).collect(),
         Way::From(_) => vec![-1.0],
     };
-    let priors: Vec<f64> = base.iter().map(|&i| prepared.specs[i].prior_sd.map_or(0.0, |sd| sd.powi(-2))).collect();
+    let of_others = |i: usize| known.iter().find(|(k, _)| *k == i).map_or(0.0, |(_, sd)| sd.powi(-2));
+    let prior = |&i: &usize| prepared.specs[i].prior_sd.map_or(0.0, |sd| sd.powi(-2)) + of_others(i);
+    let priors: Vec<f64> = base.iter().map(prior).collect();
     Ok(step(&pass, columns.len(), &priors, &along))
 }
 
