@@ -12,6 +12,7 @@
 mod accept;
 mod answer;
 mod base_fit;
+mod beginning;
 mod chance;
 mod compliance;
 pub mod effects;

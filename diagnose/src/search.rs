@@ -7,7 +7,7 @@ use crate::effects::{Effect, Scales, Signature};
 use crate::error::DiagnoseError;
 use crate::model::{Included, Prepared, prepare};
 use crate::options::Options;
-use crate::patch::{Base, PatchError};
+use crate::patch::{Base, PatchError, Written, check, compose};
 use crate::screen::{SAME, Score, ScreenOptions, Seen, UNIQUE, cosine, screen};
 use crate::shapes::{uneven, unnamed};
 use ident::fit::ParameterSpec;
@@ -33,6 +33,7 @@ pub(crate) struct Question<'a> {
 }
 
 /// Where the search stands.
+#[derive(Clone)]
 pub(crate) struct State {
     pub prepared: Arc<Prepared>,
     pub fitted: Fitted,
@@ -46,6 +47,7 @@ impl From<Tried> for State {
 }
 
 /// A screening and what it is about.
+#[derive(Clone)]
 pub(crate) struct Round {
     pub scores: Vec<Score>,
     /// What each candidate would have to be to be found in the test records (SI).
@@ -316,7 +318,7 @@ impl State {
         let best = rivals[0].1;
         t.equivalent = rivals.into_iter().filter(|(i, v)| *i != t.index && *v > best - SEPARATES).map(|(i, _)| i).collect();
         t.equivalent.dedup_by(|a, b| left[*a].id == left[*b].id && left[*a].place == left[*b].place);
-        Ok(())
+        writable(ask.base, t)
     }
 
     /// An accepted effect whose parameters have become indistinguishable from zero.
@@ -355,6 +357,20 @@ pub(crate) fn total(prepared: &Prepared, fitted: &Fitted, noise: &Noise, held: &
 /// What parameters cost in log-likelihood (Schwarz, 1978).
 pub(crate) fn spent(degrees: usize, samples: usize) -> f64 {
     0.5 * degrees as f64 * (samples.max(1) as f64).ln()
+}
+
+/// The text with the numbers as they were found is a rig's: a body may have come out that none can have.
+fn writable(base: &Base, t: &Tried) -> Result<(), DiagnoseError> {
+    let mean = t.fitted.mean();
+    let value = |name: &str| t.fitted.names.iter().position(|n| n == name).map_or(0.0, |i| mean[i]);
+    let values = |i: &Included| i.effect.parameters.iter().map(|p| (value(&p.name), 0.0)).collect();
+    let written: Vec<Written<'_>> = t
+        .included
+        .iter()
+        .map(|i| Written { effect: &i.effect, values: values(i), evidence: None, per_record: i.effect.by_record, screened: false })
+        .collect();
+    check(&compose(base, &written, &[])?, &base.rig.name)?;
+    Ok(())
 }
 
 /// Refits to the end.

@@ -21,6 +21,8 @@ pub(crate) enum Place {
     Swap(Box<Swap>),
     /// These, by their numbers among all effects, are as likely and would pass.
     AsLikely(Vec<usize>),
+    /// Nothing is needed there: the state without.
+    Empty(Box<State>),
 }
 
 /// An effect that takes the place of an accepted one.
@@ -61,6 +63,11 @@ pub(crate) fn in_place_of(
         Ok(total(prepared, fitted, noise, held)? - spent(fitted.found.unknowns.len(), fitted.found.samples))
     };
     let before = worth(&current.prepared, &current.fitted)?;
+    if worth(&without.prepared, &without.fitted)? >= before {
+        tell(&format!("  dropped again: {}", own.title()));
+        let (prepared, fitted) = refit(ask.base, &without.accepted, &without.fitted, (&mut *tracks, held), true)?;
+        return Ok(Place::Empty(Box::new(State { prepared, fitted, ..without })));
+    }
     let mut rivals: Vec<(f64, Tried)> = Vec::new();
     let likely = without.speaking(ask, &left, &round).into_iter().filter(|&i| !is_own(i) && statistic(i) >= least);
     for i in likely.take(RIVALS) {
@@ -75,7 +82,9 @@ pub(crate) fn in_place_of(
     let mut as_likely = Vec::new();
     let at_gate = predicted(&without.fitted, &without.prepared, held, horizon);
     for (_, mut rival) in rivals {
-        without.work_out(ask, &left, &round, &mut rival, tracks, held)?;
+        if without.work_out(ask, &left, &round, &mut rival, tracks, held).is_err() {
+            continue;
+        }
         let ahead = worth(&rival.prepared, &rival.fitted)? - before;
         if is_own(rival.index) || ahead < -SEPARATES {
             continue;

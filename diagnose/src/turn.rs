@@ -7,7 +7,7 @@ use crate::accept::{Bench, Refusal, Tried, judge};
 use crate::base_fit::refit;
 use crate::effects::Effect;
 use crate::error::DiagnoseError;
-use crate::search::{Question, Round, State};
+use crate::search::{Question, Round, State, spent};
 use crate::swap::{Place, in_place_of};
 use crate::together::{Against, Candidate, Passed, Refused, predicted, together};
 use crate::verdict::Rejected;
@@ -35,6 +35,12 @@ pub(crate) struct Search<'a> {
     pub unconfirmed: Option<State>,
     /// Turns that were begun.
     pub turns: usize,
+    /// The first effect that joined; where none did, the first that was refused.
+    pub began_with: Option<usize>,
+    /// Largest log-likelihood of the training records, less what parameters cost, with what was refused while nothing had joined.
+    pub refused: f64,
+    /// Effects, by their numbers among all, that may not be the first to join.
+    pub not_first: Vec<usize>,
     /// Predictions of the test records.
     at_gate: Vec<Vec<Ahead>>,
     swaps: usize,
@@ -43,7 +49,20 @@ pub(crate) struct Search<'a> {
 impl<'a> Search<'a> {
     pub fn new(ask: Question<'a>, against: Against<'a>, current: State) -> Self {
         let at_gate = predicted(&current.fitted, &current.prepared, against.held, against.horizon);
-        Self { ask, against, current, passed: Vec::new(), rejected: Vec::new(), unconfirmed: None, turns: 0, at_gate, swaps: 0 }
+        Self {
+            ask,
+            against,
+            current,
+            passed: Vec::new(),
+            rejected: Vec::new(),
+            unconfirmed: None,
+            turns: 0,
+            began_with: None,
+            refused: f64::NEG_INFINITY,
+            not_first: Vec::new(),
+            at_gate,
+            swaps: 0,
+        }
     }
 
     /// Screens what is open; comes with the numbers of these among all effects.
@@ -63,6 +82,9 @@ impl<'a> Search<'a> {
         let joined = self.join(numbers, round, tracks)?;
         let last = joined.is_none();
         if let Some((state, passed)) = joined {
+            if self.turns == 1 {
+                self.began_with = passed.first().map(|one| one.is.effect);
+            }
             for one in &passed {
                 (self.ask.options.progress)(&format!("  accepted: {}", self.against.effects[one.is.effect].title()));
             }
@@ -84,6 +106,10 @@ impl<'a> Search<'a> {
         let options = self.ask.options;
         let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
         let mut chosen: VecDeque<Tried> = self.current.try_best(&self.ask, &left, round, tracks, held).into();
+        if self.turns == 1 {
+            chosen.retain(|t| !self.not_first.contains(&numbers[t.index]));
+            self.began_with = chosen.front().map(|t| numbers[t.index]);
+        }
         // what is refused although it explains the records far better than another leaves that one no reason
         let mut refused = f64::NEG_INFINITY;
         let mut judged = 0;
@@ -96,8 +122,8 @@ impl<'a> Search<'a> {
                 Refusal::Shadow
             } else if judged == MOST_JUDGED {
                 break;
-            } else if self.current.work_out(&self.ask, &left, round, &mut tried, tracks, held).is_err() {
-                Refusal::Lost
+            } else if let Err(why) = self.current.work_out(&self.ask, &left, round, &mut tried, tracks, held) {
+                if matches!(why, DiagnoseError::Patch(_)) { Refusal::NoRig } else { Refusal::Lost }
             } else {
                 judged += 1;
                 let (prepared, fitted) = (&self.current.prepared, &self.current.fitted);
@@ -109,6 +135,10 @@ impl<'a> Search<'a> {
                     return Ok(Some((State::from(tried), vec![passed])));
                 };
                 refused = refused.max(value);
+                if self.current.accepted.is_empty() {
+                    let found = &tried.fitted.found;
+                    self.refused = self.refused.max(found.log_likelihood - spent(found.unknowns.len(), found.samples));
+                }
                 why
             };
             let effect = if why == Refusal::Shadow { first } else { left[tried.index] };
@@ -161,6 +191,13 @@ impl<'a> Search<'a> {
                     self.passed.remove(out);
                     self.passed.push(swap.passed);
                     self.current = swap.state;
+                    out = 0;
+                }
+                Place::Empty(state) => {
+                    self.swaps += 1;
+                    swapped = true;
+                    self.passed.remove(out);
+                    self.current = *state;
                     out = 0;
                 }
                 Place::AsLikely(others) => {

@@ -4,6 +4,7 @@
 
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
 use crate::base_fit::{Starting, fit_base};
+use crate::beginning::{self, Ended};
 use crate::effects::{Effect, IDS, Scales, by_record, catalogue};
 use crate::error::DiagnoseError;
 use crate::figures::{self, Measured, View, figures, shrink, view};
@@ -15,13 +16,12 @@ use crate::patch::Base;
 use crate::quality::{ahead, integrates, look, mended, mistaken, stride, stride_of_start};
 use crate::screen::{SAME, UNIQUE, cosine};
 use crate::search::{Question, Round, State, scales};
-use crate::strained::strained;
+use crate::strained::{Far, kept, strained};
 use crate::strangers::strangers;
 use crate::together::{Against, Passed};
 use crate::traces;
 use crate::turn::Search;
-use crate::unseen::unseen;
-use crate::verdict::{StillOpen, finish};
+use crate::verdict::finish;
 use crate::watched::{leave_out_unknown, unwatched};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
@@ -30,6 +30,9 @@ use runtime::Model;
 use sim::Hold;
 use std::sync::Arc;
 use std::time::Instant;
+
+/// Effects that are numbers of bodies.
+const BODIES: [&str; 2] = ["gravity_offset", "added_mass"];
 
 /// Finds what a rig's text lacks. `asked` are its parameters as the request has them.
 ///
@@ -151,36 +154,40 @@ pub fn diagnose(
     // acceptance looks at predictions: many starts scatter less than one free run, which may go over the top
     let horizon = seen.horizon.unwrap_or(ahead(&base.prepared, &p0));
     let against = Against { effects: &effects, held: &held, horizon };
-    let mut search = Search::new(Question { base: rig, starting: &starting, options }, against, base);
-    let mut open;
-    loop {
-        let (numbers, round) = search.screen(&tracks)?;
-        let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
-        if search.turns == 1 {
-            answer.candidates = listed(&left, &round);
-            answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
-        }
-        open = StillOpen { left_over: round.left_over.clone(), unseen: unseen(&search.current, &left, &round), strained: None };
-        let full = search.passed.len() >= options.most_effects;
-        if options.until == Step::Screen || full || !search.turn((&numbers, &round), &mut tracks)? {
-            break;
+    let ask = Question { base: rig, starting: &starting, options };
+    let begin = || Search::new(ask, against, base.clone());
+    let mut ended = beginning::search(&begin, &mut tracks)?;
+    let (numbers, round) = &ended.first;
+    let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
+    answer.candidates = listed(&left, round);
+    answer.screening_p = round.scores[..left.len()].iter().map(|s| s.p_family).fold(1.0, f64::min);
+    let far = strained(&rig.rig, &ended.search.current);
+    ended.open.strained = far.first().map(Far::words);
+    let near = kept(&far, &starting);
+    // what would be another word for the same number is no answer
+    let others: Vec<Effect> = effects.iter().filter(|e| !BODIES.contains(&e.id.as_str())).cloned().collect();
+    if let Some(worst) = far.first().filter(|_| options.until == Step::Patch) {
+        let ask = Question { base: rig, starting: &near, options };
+        if let Some(other) = beginning::near_text(ask, Against { effects: &others, ..against }, &ended, &mut tracks)? {
+            let had = &ended.search.current.accepted;
+            let new = other.search.current.accepted.iter().filter(|i| had.iter().all(|had| had.effect != i.effect));
+            let instead = worst.words_instead(&new.map(|i| i.effect.title()).collect::<Vec<_>>().join(", "));
+            ended = other;
+            ended.open.strained = Some(instead);
         }
     }
-    let Search { current, passed, rejected, unconfirmed, turns, ask, .. } = search;
-    answer.findings = passed.iter().map(|one| finding(&effects, one)).collect();
+    let Ended { search, open, .. } = ended;
+    let Search { current, passed, rejected, unconfirmed, turns, ask, against: Against { effects, .. }, .. } = search;
+    answer.findings = passed.iter().map(|one| finding(effects, one)).collect();
     if !passed.is_empty() {
         answer.after = figures(current.fitted.judged(&current.prepared), Some(trained), tested, seen);
     }
-    if !current.accepted.is_empty() {
-        open.left_over = current.uneven(options, &tracks, &held).or(open.left_over);
-    }
-    open.strained = strained(&rig.rig, &current);
     if options.traces && !answer.findings.is_empty() {
         let found = &current.fitted.found;
         traces::after(&mut answer.runs, &current.prepared.model, &found.p, &current.fitted.of_test, train, test, options.hold);
     }
     if options.next {
-        answer.next_experiment = next_experiment(&ask, &answer, &current, unconfirmed.as_ref(), &effects, &tracks);
+        answer.next_experiment = next_experiment(&ask, &answer, &current, unconfirmed.as_ref(), effects, &tracks);
     }
     finish(rig, &mut answer, &current, &base_parameters, (&rejected, turns), open, train)?;
     answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &answer.before, &answer.after);
