@@ -173,11 +173,13 @@ fn hidden(own: &[&Outcome], text: &mut String, title: &str, key: &dyn Fn(&Outcom
 }
 
 fn outside(own: &[&Outcome], text: &mut String) {
-    let _ = writeln!(text, "| hidden | gap seen | silent or partial | named, and sure | names | verdicts |\n|---|---|---|---|---|---|");
+    let _ = writeln!(text, "| hidden | gap seen | silent or partial | wrong and sure | names | verdicts |\n|---|---|---|---|---|---|");
     for (name, group) in groups(own, &|o| o.part.clone()) {
         let seen = group.iter().filter(|o| o.verdict != "no_gap" && o.verdict != "failed").count();
         let sure: Vec<&&Outcome> =
             group.iter().filter(|o| !o.said.is_empty() && (o.verdict == "complete" || o.verdict == "ambiguous")).collect();
+        // a spring that gravity eats is in the catalogue
+        let wrong = sure.iter().filter(|o| !(0..o.hidden.len()).all(|k| o.said.iter().any(|s| covered(s, o, k)))).count();
         let mut names: BTreeMap<&str, usize> = BTreeMap::new();
         group.iter().flat_map(|o| &o.said).for_each(|s| *names.entry(&s.effect).or_default() += 1);
         let names: Vec<String> = names.iter().map(|(n, k)| format!("{n} {k}")).collect();
@@ -186,7 +188,7 @@ fn outside(own: &[&Outcome], text: &mut String) {
             "| {name} | {} | {} | {} | {} | {} |",
             share(seen, group.len()),
             share(group.len() - sure.len(), group.len()),
-            share(sure.len(), group.len()),
+            share(wrong, group.len()),
             names.join(", "),
             verdicts(&group)
         );
