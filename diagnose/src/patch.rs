@@ -21,6 +21,14 @@ pub struct Base {
     pub unwatched: Vec<usize>,
 }
 
+impl Base {
+    /// A rig with its texts, all of whose coordinates may be pushed.
+    #[must_use]
+    pub fn new(rig: Rig, sources: Sources) -> Self {
+        Self { rig, sources, unwatched: Vec::new() }
+    }
+}
+
 /// An effect with the values that its text is to say: one for each of its parameters, with standard error.
 #[derive(Clone, Debug)]
 pub struct Written<'a> {
@@ -89,7 +97,7 @@ pub fn check(files: &[(String, String)], rig: &str) -> Result<Base, PatchError> 
     let root = files.first().map_or("", |(name, _)| name.as_str());
     let Checked { rig, diagnostics, sources } = model_dsl::check(root, &Texts(files), &CheckOptions { rig: Some(rig.to_owned()) });
     match rig {
-        Some(rig) => Ok(Base { rig, sources, unwatched: Vec::new() }),
+        Some(rig) => Ok(Base::new(rig, sources)),
         None => {
             let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
             Err(PatchError::Rejected { why: errors.map(|d| d.render(&sources, false)).collect::<Vec<_>>().join("\n") })

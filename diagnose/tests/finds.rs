@@ -14,7 +14,7 @@ fn examples() -> PathBuf {
 fn base(rig: &str) -> Base {
     let file = examples().join(rig).display().to_string();
     let checked = model_dsl::check(&file, &FileLoader, &CheckOptions::default());
-    Base { rig: checked.rig.unwrap(), sources: checked.sources, unwatched: Vec::new() }
+    Base::new(checked.rig.unwrap(), checked.sources)
 }
 
 fn run(rig: &str, train: &[Record], test: &[Record]) -> Diagnosis {

@@ -12,11 +12,7 @@ const RIGS: [&str; 9] = ["googol", "googol_mrb", "googol_identified", "furuta", 
 fn base(name: &str) -> Base {
     let file = format!("{}/../examples/rigs/{name}.rig", env!("CARGO_MANIFEST_DIR"));
     let checked = model_dsl::check(&file, &FileLoader, &CheckOptions::default());
-    Base {
-        rig: checked.rig.unwrap_or_else(|| panic!("{name}: {:?}", checked.diagnostics)),
-        sources: checked.sources,
-        unwatched: Vec::new(),
-    }
+    Base::new(checked.rig.unwrap_or_else(|| panic!("{name}: {:?}", checked.diagnostics)), checked.sources)
 }
 
 fn scales(base: &Base) -> Scales {

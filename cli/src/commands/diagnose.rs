@@ -31,7 +31,7 @@ pub fn run(args: &Diagnose) -> Result<Answer, Failure> {
     let free = (!args.free.is_empty()).then(|| names(&args.free));
     select(&mut specs, free.as_deref(), &names(&args.fix)).map_err(|e| Failure::new("C0504", e.to_string()))?;
     let with_trim = !loaded.rig.trims.is_empty();
-    let base = Base { rig: loaded.rig, sources: loaded.checked.sources, unwatched: Vec::new() };
+    let base = Base::new(loaded.rig, loaded.checked.sources);
     let own = args.catalogue.as_deref().map(own_effects).transpose()?.unwrap_or_default();
     let options = Options {
         seed: args.seed,

@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 pub fn run(args: &Identify, loaded: Loaded, asked: &[ParameterSpec], (records, tests): (&[Record], &[Record])) -> Result<Answer, Failure> {
     misplaced(args)?;
     let lumps = loaded.lumps;
-    let base = Base { rig: loaded.rig, sources: loaded.checked.sources, unwatched: Vec::new() };
+    let base = Base::new(loaded.rig, loaded.checked.sources);
     let (pushed, forces) = with_forces(&base).map_err(|e| Failure::new("C0504", e.to_string()))?;
     let equations =
         codegen::derive(&pushed.rig, Options { lumps, ..Options::default() }).map_err(|e| Failure::new("C0201", e.to_string()))?;
