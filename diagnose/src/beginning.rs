@@ -8,7 +8,7 @@ use crate::effects::Effect;
 use crate::error::DiagnoseError;
 use crate::options::Step;
 use crate::screen::{SAME, cosine};
-use crate::search::{Question, Round, SEPARATES, State, spent, total};
+use crate::search::{Question, Round, SEPARATES, State, paid, total, worth};
 use crate::together::Against;
 use crate::turn::Search;
 use crate::unseen::unseen;
@@ -23,7 +23,7 @@ pub(crate) struct Ended<'a> {
     pub open: StillOpen,
 }
 
-/// The search from `base`; if its end leaves something open, also with another effect than the one it began with, and of both the likelier.
+/// The search that `begin` makes; if its end leaves something open, also with another effect than the one it began with, and of both the likelier.
 ///
 /// # Errors
 /// [`DiagnoseError`] where a record cannot be followed.
@@ -81,14 +81,14 @@ fn explore<'a>(mut search: Search<'a>, tracks: &mut [Track]) -> Result<Ended<'a>
         let mut open = StillOpen { left_over: round.left_over.clone(), unseen: unseen(&search.current, &left, &round), strained: None };
         let full = search.passed.len() >= options.most_effects;
         let goes_on = options.until != Step::Screen && !full && search.turn((&numbers, &round), tracks)?;
-        let (numbers, round) = first.get_or_insert((numbers, round));
+        let begun = first.take().unwrap_or((numbers, round));
         if !goes_on {
             if !search.current.accepted.is_empty() {
                 open.left_over = search.current.uneven(options, tracks, search.against.held).or(open.left_over);
             }
-            let first = (std::mem::take(numbers), round.clone());
-            return Ok(Ended { search, first, open });
+            return Ok(Ended { search, first: begun, open });
         }
+        first = Some(begun);
     }
 }
 
@@ -108,11 +108,6 @@ fn alike(effect: usize, (numbers, round): &(Vec<usize>, Round)) -> Vec<usize> {
 
 /// All records find it likelier, and the training records no less likely than what the first search had to refuse: that would leave it no reason.
 fn likelier(other: &Search<'_>, one: &Search<'_>) -> Result<bool, DiagnoseError> {
-    let trained = |state: &State| state.fitted.found.log_likelihood - spent(state.fitted.found.unknowns.len(), state.fitted.found.samples);
-    let all = |state: &State| -> Result<f64, DiagnoseError> {
-        let found = &state.fitted.found;
-        let total = total(&state.prepared, &state.fitted, &one.current.fitted.found.noise, one.against.held)?;
-        Ok(total - spent(found.unknowns.len(), found.samples))
-    };
-    Ok(trained(&other.current) > one.refused && all(&other.current)? > all(&one.current)? + SEPARATES)
+    let worth = |state: &State| worth(&state.prepared, &state.fitted, &one.current.fitted.found.noise, one.against.held);
+    Ok(paid(&other.current.fitted) > one.refused && worth(&other.current)? > worth(&one.current)? + SEPARATES)
 }

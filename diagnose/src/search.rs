@@ -47,7 +47,6 @@ impl From<Tried> for State {
 }
 
 /// A screening and what it is about.
-#[derive(Clone)]
 pub(crate) struct Round {
     pub scores: Vec<Score>,
     /// What each candidate would have to be to be found in the test records (SI).
@@ -357,6 +356,16 @@ pub(crate) fn total(prepared: &Prepared, fitted: &Fitted, noise: &Noise, held: &
 /// What parameters cost in log-likelihood (Schwarz, 1978).
 pub(crate) fn spent(degrees: usize, samples: usize) -> f64 {
     0.5 * degrees as f64 * (samples.max(1) as f64).ln()
+}
+
+/// Log-likelihood of the training records, less what parameters cost.
+pub(crate) fn paid(fitted: &Fitted) -> f64 {
+    fitted.found.log_likelihood - spent(fitted.found.unknowns.len(), fitted.found.samples)
+}
+
+/// Log-likelihood of all records, that of the test records with this noise, less what parameters cost.
+pub(crate) fn worth(prepared: &Prepared, fitted: &Fitted, noise: &Noise, held: &[Track]) -> Result<f64, DiagnoseError> {
+    Ok(total(prepared, fitted, noise, held)? - spent(fitted.found.unknowns.len(), fitted.found.samples))
 }
 
 /// The text with the numbers as they were found is a rig's: a body may have come out that none can have.

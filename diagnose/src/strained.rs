@@ -4,6 +4,7 @@
 //! Knows the text and where the search ended; nothing of what records say.
 
 use crate::base_fit::Starting;
+use crate::effects::Effect;
 use crate::patch::digits;
 use crate::search::State;
 use model_dsl::rig::{EnergyKind, Expr, Rig, Step, Symbol};
@@ -77,6 +78,11 @@ pub(crate) fn kept(far: &[Far], starting: &Starting) -> Starting {
         }
     }
     Starting { records: starting.records.clone(), hold: starting.hold, asked: asked.into() }
+}
+
+/// The effect is another word for such a number.
+pub(crate) fn is_of_a_body(effect: &Effect) -> bool {
+    ["gravity_offset", "added_mass"].contains(&effect.id.as_str())
 }
 
 /// Parameters in masses, places, inertias and kinetic energies.

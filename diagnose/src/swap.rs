@@ -6,7 +6,7 @@ use crate::base_fit::{Fitted, refit};
 use crate::effects::Effect;
 use crate::error::DiagnoseError;
 use crate::model::Prepared;
-use crate::search::{Question, SEPARATES, State, spent, total};
+use crate::search::{Question, SEPARATES, State, worth};
 use crate::together::{Against, Candidate, Passed, predicted};
 use ident::innovations::Track;
 
@@ -59,9 +59,7 @@ pub(crate) fn in_place_of(
     let statistic = |i: usize| round.scores[i].statistic;
     let least = NEARLY * (0..left.len()).filter(|&i| is_own(i)).map(statistic).fold(0.0, f64::max);
     let noise = &current.fitted.found.noise;
-    let worth = |prepared: &Prepared, fitted: &Fitted| -> Result<f64, DiagnoseError> {
-        Ok(total(prepared, fitted, noise, held)? - spent(fitted.found.unknowns.len(), fitted.found.samples))
-    };
+    let worth = |prepared: &Prepared, fitted: &Fitted| worth(prepared, fitted, noise, held);
     let before = worth(&current.prepared, &current.fitted)?;
     if worth(&without.prepared, &without.fitted)? >= before {
         tell(&format!("  dropped again: {}", own.title()));

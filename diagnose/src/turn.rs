@@ -7,7 +7,7 @@ use crate::accept::{Bench, Refusal, Tried, judge};
 use crate::base_fit::refit;
 use crate::effects::Effect;
 use crate::error::DiagnoseError;
-use crate::search::{Question, Round, State, spent};
+use crate::search::{Question, Round, State, paid};
 use crate::swap::{Place, in_place_of};
 use crate::together::{Against, Candidate, Passed, Refused, predicted, together};
 use crate::verdict::Rejected;
@@ -136,8 +136,7 @@ impl<'a> Search<'a> {
                 };
                 refused = refused.max(value);
                 if self.current.accepted.is_empty() {
-                    let found = &tried.fitted.found;
-                    self.refused = self.refused.max(found.log_likelihood - spent(found.unknowns.len(), found.samples));
+                    self.refused = self.refused.max(paid(&tried.fitted));
                 }
                 why
             };

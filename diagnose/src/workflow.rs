@@ -16,7 +16,7 @@ use crate::patch::Base;
 use crate::quality::{ahead, integrates, look, mended, mistaken, stride, stride_of_start};
 use crate::screen::{SAME, UNIQUE, cosine};
 use crate::search::{Question, Round, State, scales};
-use crate::strained::{Far, kept, strained};
+use crate::strained::{Far, is_of_a_body, kept, strained};
 use crate::strangers::strangers;
 use crate::together::{Against, Passed};
 use crate::traces;
@@ -30,9 +30,6 @@ use runtime::Model;
 use sim::Hold;
 use std::sync::Arc;
 use std::time::Instant;
-
-/// Effects that are numbers of bodies.
-const BODIES: [&str; 2] = ["gravity_offset", "added_mass"];
 
 /// Finds what a rig's text lacks. `asked` are its parameters as the request has them.
 ///
@@ -165,7 +162,7 @@ pub fn diagnose(
     ended.open.strained = far.first().map(Far::words);
     let near = kept(&far, &starting);
     // what would be another word for the same number is no answer
-    let others: Vec<Effect> = effects.iter().filter(|e| !BODIES.contains(&e.id.as_str())).cloned().collect();
+    let others: Vec<Effect> = effects.iter().filter(|e| !is_of_a_body(e)).cloned().collect();
     if let Some(worst) = far.first().filter(|_| options.until == Step::Patch) {
         let ask = Question { base: rig, starting: &near, options };
         if let Some(other) = beginning::near_text(ask, Against { effects: &others, ..against }, &ended, &mut tracks)? {
