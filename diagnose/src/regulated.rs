@@ -156,6 +156,9 @@ fn balanced(model: &dyn Model, p: &[f64], seen: &Seen) -> Option<(Vec<f64>, Vec<
                 None => b[row * signals + c - count] * seen.u_spread[c - count],
             }
         });
+        if slope.iter().any(|v| !v.is_finite()) {
+            return None;
+        }
         let step = slope.svd(true, true).solve(&rest, 1e-10).ok()?;
         moved.iter().enumerate().for_each(|(c, &state)| x[state] -= step[c] * seen.x_spread[state]);
         (0..d.inputs).for_each(|j| u[j] -= step[count + j] * seen.u_spread[j]);

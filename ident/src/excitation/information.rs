@@ -1,6 +1,7 @@
 //! What a record of an input would tell: standard errors from the sensitivities of the outputs along the run.
 
 use super::ExciteError;
+use crate::spectrum::of_symmetric;
 use nalgebra::DMatrix;
 use runtime::Model;
 use sim::{FixedMethod, Forward, Pattern, Signals, Status};
@@ -89,7 +90,7 @@ fn standard_errors(information: &DMatrix<f64>) -> Vec<Option<f64>> {
     let scale: Vec<f64> = (0..n).map(|i| information[(i, i)].sqrt()).collect();
     let unit = |i: usize| if scale[i] > 0.0 { 1.0 / scale[i] } else { 0.0 };
     let scaled = DMatrix::from_fn(n, n, |i, j| information[(i, j)] * unit(i) * unit(j));
-    let eigen = scaled.symmetric_eigen();
+    let eigen = of_symmetric(scaled);
     let least = TOLD * eigen.eigenvalues.max();
     (0..n)
         .map(|i| {

@@ -7,6 +7,7 @@
 //! interval grows after N. M. Kiefer and T. J. Vogelsang (Econometric Theory 21, 2005).
 
 use super::objective::Rows;
+use crate::spectrum::of_symmetric;
 use nalgebra::{DMatrix, DVector};
 
 /// In one line, for tables and JSON.
@@ -109,7 +110,7 @@ fn inverse(normal: &DMatrix<f64>, held: &[bool]) -> (DMatrix<f64>, Vec<bool>) {
     let open: Vec<usize> = (0..n).filter(|&i| !held[i] && normal[(i, i)] > 0.0).collect();
     let scale: Vec<f64> = open.iter().map(|&i| normal[(i, i)].sqrt()).collect();
     let m = DMatrix::from_fn(open.len(), open.len(), |a, b| normal[(open[a], open[b])] / (scale[a] * scale[b]));
-    let eigen = m.symmetric_eigen();
+    let eigen = of_symmetric(m);
     let least = 1e-13 * open.len() as f64;
     let mut told = vec![false; n];
     let mut out = DMatrix::zeros(n, n);

@@ -3,6 +3,7 @@
 //! The Gauss-Newton matrix of the parameters, initial states eliminated and parameter priors left out, in relative changes
 //! of the parameters: an eigenvector with a standard deviation above 100 % is a direction that the records do not tell.
 
+use crate::spectrum::{of_symmetric, pseudo_inverse};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// A direction in which parameters can change together unseen.
@@ -43,9 +44,9 @@ pub(crate) fn identifiable(names: &[String], sizes: &[f64], normal: &DMatrix<f64
     if !open.is_empty() {
         let live = DMatrix::from_fn(open.len(), open.len(), |a, b| scaled[(open[a], open[b])]);
         // columns of very different strength: directions are judged with each column at its own strength as well
-        let SymmetricEigen { eigenvalues, eigenvectors } = live.clone().symmetric_eigen();
+        let SymmetricEigen { eigenvalues, eigenvectors } = of_symmetric(live.clone());
         let unit = DMatrix::from_fn(open.len(), open.len(), |a, b| live[(a, b)] / (live[(a, a)] * live[(b, b)]).sqrt());
-        let dependent = unit.symmetric_eigen();
+        let dependent = of_symmetric(unit);
         let mut order: Vec<usize> = (0..open.len()).collect();
         order.sort_by(|&a, &b| eigenvalues[a].total_cmp(&eigenvalues[b]));
         let null = dependent.eigenvalues.iter().filter(|&&e| e < 1e-11 * open.len() as f64).count();
@@ -74,11 +75,7 @@ fn eliminate(normal: &DMatrix<f64>, m: usize, n: usize) -> DMatrix<f64> {
     }
     let across = normal.view((0, m), (m, n - m)).into_owned();
     let others = normal.view((m, m), (n - m, n - m)).into_owned();
-    let eps = 1e-13 * others.amax();
-    match others.pseudo_inverse(eps.max(f64::MIN_POSITIVE)) {
-        Ok(inverse) => own - &across * inverse * across.transpose(),
-        Err(_) => own,
-    }
+    own - &across * pseudo_inverse(&others, 1e-13) * across.transpose()
 }
 
 fn direction(names: &[String], open: &[usize], v: &[f64], relative_sd: f64) -> TradeOff {

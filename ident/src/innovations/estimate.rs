@@ -7,6 +7,7 @@ use crate::fit::minimize::{Evaluation, LevenbergMarquardt, Limits, Minimizer, Ob
 use crate::fit::objective::Rows;
 use crate::fit::{FitError, ParameterSpec};
 use crate::parallel::in_parallel;
+use crate::spectrum::of_symmetric;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 
@@ -288,7 +289,7 @@ fn inverse(normal: &DMatrix<f64>) -> DMatrix<f64> {
         let by = scale[i] * scale[j];
         if by > 0.0 { normal[(i, j)] / by } else { f64::from(u8::from(i == j)) }
     });
-    let eigen = scaled.symmetric_eigen();
+    let eigen = of_symmetric(scaled);
     DMatrix::from_fn(m, m, |i, j| {
         let sum: f64 = (0..m).map(|k| eigen.eigenvectors[(i, k)] * eigen.eigenvectors[(j, k)] / eigen.eigenvalues[k].max(1e-12)).sum();
         let by = scale[i] * scale[j];

@@ -3,6 +3,7 @@
 use super::filter::{Column, Pass, Track, pass};
 use crate::fit::data::{Data, spread};
 use crate::parallel::in_parallel;
+use crate::spectrum::of_symmetric;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 
@@ -217,7 +218,7 @@ fn restricted(passes: &[Pass], count: usize) -> f64 {
             normal.ger(1.0, &row, &row, 1.0);
         }
     }
-    let eigen = if count > 0 { normal.symmetric_eigen() } else { return value };
+    let eigen = if count > 0 { of_symmetric(normal) } else { return value };
     let largest = eigen.eigenvalues.max();
     for (direction, &information) in eigen.eigenvectors.column_iter().zip(eigen.eigenvalues.iter()) {
         if information > 1e-12 * largest {
