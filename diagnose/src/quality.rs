@@ -43,6 +43,7 @@ pub fn look(prepared: &Prepared, p: &[f64], train: &[Record], test: &[Record], u
                 found.into_iter().for_each(|k| used.discard(output, k));
             }
         }
+        faults.extend(twice(prepared, record));
     }
     faults
 }
@@ -52,6 +53,19 @@ fn measured<'r>(prepared: &Prepared, record: &'r Record) -> Vec<(usize, &'r Colu
     let names = prepared.model.names();
     let outputs = 0..prepared.model.dimensions().outputs;
     outputs.filter_map(|i| record.columns.iter().find(|c| c.name == names.output(i)).map(|c| (i, c))).collect()
+}
+
+/// Outputs that say different things of the rig, and have one and the same channel.
+fn twice(prepared: &Prepared, record: &Record) -> Option<String> {
+    let (all, names, outputs) = (measured(prepared, record), prepared.model.names(), &prepared.base.rig.outputs);
+    let alike = |(i, a): &(usize, &Column), (j, b): &(usize, &Column)| {
+        let other = outputs.get(*i).zip(outputs.get(*j)).is_none_or(|(a, b)| a.value != b.value);
+        other && a.values == b.values && a.values.iter().any(|v| *v != a.values[0])
+    };
+    let pair = all.iter().enumerate().find_map(|(k, one)| Some((all[..k].iter().find(|other| alike(other, one))?.0, one.0)));
+    let (i, j) = pair?;
+    let file = &record.source;
+    Some(format!("{file}: {} and {} are equal in every sample: one of them has the other's channel", names.output(i), names.output(j)))
 }
 
 /// A record whose outliers lie on the line between their neighbours, for runs that compare with every sample.

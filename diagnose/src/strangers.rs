@@ -31,16 +31,19 @@ pub fn strangers(prepared: &Prepared, fitted: &[Vec<f64>], own: &[f64], noise: &
                 break;
             };
             let of = |track: &Track| likelihood(&prepared.model, p, track, noise).map(|l| l.map(|l| l.iter().sum::<f64>()));
-            // what cannot be followed says nothing
             worth = match (of(track)?, of(&still)?) {
                 (Some(with), Some(without)) => worth.max(with - without),
-                _ => f64::INFINITY,
+                // without them the record cannot be followed
+                (Some(_), None) => f64::INFINITY,
+                // what cannot be followed says nothing
+                (None, _) => worth,
             };
         }
         if worth < WORTH && !matter(prepared, own, track) {
             faults.push(format!(
-                "{}: the inputs explain nothing of the motion (log-likelihood {worth:+.0} against their means): are they this record's own?",
-                track.source()
+                "{}: the inputs explain nothing of the motion{}: are they this record's own?",
+                track.source(),
+                if worth.is_finite() { format!(" (log-likelihood {worth:+.0} against their means)") } else { String::new() }
             ));
         }
     }

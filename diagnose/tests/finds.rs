@@ -54,6 +54,17 @@ fn nothing_is_named_where_nothing_is_hidden() {
 }
 
 #[test]
+fn one_channel_in_the_place_of_two_is_refused() {
+    let mut twice = record("simulated_steps.csv");
+    let of = |record: &Record, name: &str| record.columns.iter().position(|c| c.name == name).unwrap();
+    let (psi, eps) = (of(&twice, "psi"), of(&twice, "eps"));
+    twice.columns[eps].values = twice.columns[psi].values.clone();
+    let found = run("rigs/googol_identified.rig", &[twice], &[record("simulated_doublets.csv")]);
+    assert_eq!(found.verdict, Verdict::BadData);
+    assert!(found.because.contains("psi and eps are equal in every sample: one of them has the other's channel"), "{}", found.because);
+}
+
+#[test]
 fn a_quiet_record_is_refused() {
     let mut short = record("simulated_steps.csv");
     short.t.truncate(50);
