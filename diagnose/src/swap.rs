@@ -1,7 +1,7 @@
 //! Swaps: an effect that was accepted may have stood for another one, which only shows beside its companions, or which all records
 //! together find likelier; and others may be as likely.
 
-use crate::accept::{Bench, Tried, judge};
+use crate::accept::{Bench, Refusal, Tried, judge};
 use crate::base_fit::{Fitted, refit};
 use crate::effects::Effect;
 use crate::error::DiagnoseError;
@@ -19,7 +19,7 @@ const NEARLY: f64 = 0.7;
 pub(crate) enum Place {
     /// Another one is likelier, and passes.
     Swap(Box<Swap>),
-    /// These, by their numbers among all effects, are as likely and would pass.
+    /// These, by their numbers among all effects, are as likely, and would pass or cannot be ruled out.
     AsLikely(Vec<usize>),
     /// Nothing is needed there: the state without.
     Empty(Box<State>),
@@ -90,11 +90,15 @@ pub(crate) fn in_place_of(
         let bench = Bench { prepared: &without.prepared, fitted: &without.fitted, train: tracks, held, before: &at_gate, horizon };
         let verdict = judge(&bench, &rival, ask.options);
         let title = left[rival.index].title();
+        // what the test records show too little of, they do not rule out either
+        let untold = matches!(verdict.refused, Some(Refusal::Untold(_)));
         if let Some(why) = &verdict.refused {
             tell(&format!("  {title} in the place of {}: {why}", own.title()));
-            continue;
+            if !untold {
+                continue;
+            }
         }
-        if ahead <= SEPARATES {
+        if untold || ahead <= SEPARATES {
             tell(&format!("  {title} is as likely as {}", own.title()));
             as_likely.push(numbers[rival.index]);
             continue;
