@@ -83,6 +83,8 @@ pub fn tasks(row: &'static str, runs: u64, rigs: &[Rig]) -> Vec<Task> {
             add("day: no other records", &[DAY], Hiding::Nothing, Method { other_records: false, ..full }, &Rig::ALL, "day");
             add("eaten: full method", &eaten, Hiding::Eaten(0.05), full, &turning, "eaten");
             add("eaten: no absorption", &eaten, Hiding::Eaten(0.05), Method { absorption: false, ..full }, &turning, "eaten");
+            add("one: full method", &HIDING, Hiding::Some(1, 3.0), full, &Rig::ALL, "one");
+            add("one: no absorption", &HIDING, Hiding::Some(1, 3.0), Method { absorption: false, ..full }, &Rig::ALL, "one");
         }
         _ => {}
     }

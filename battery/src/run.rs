@@ -34,7 +34,7 @@ pub enum Hiding {
     Outside(&'static str, f64),
     /// An effect that is taken out of the catalogue then, and that no other entry imitates.
     Decoy(f64),
-    /// A spring beside gravity, which small swings cannot tell from it.
+    /// A spring beside gravity, where small swings cannot tell it from that.
     Eaten(f64),
 }
 
@@ -363,6 +363,7 @@ pub fn run(task: &Task, keep: Option<&Path>, aloud: bool) -> Option<Outcome> {
     let wanted: &[&str] = match &task.hiding {
         Hiding::This(effect, _) => std::slice::from_ref(effect),
         Hiding::These(effects, _) => effects,
+        Hiding::Eaten(_) => &["spring"],
         _ => &[],
     };
     for effect in wanted {
@@ -377,7 +378,8 @@ pub fn run(task: &Task, keep: Option<&Path>, aloud: bool) -> Option<Outcome> {
             Err(why) => return fail(outcome, format!("without the effect: {why}")),
         };
         let alone: Vec<usize> = clean.candidates.iter().map(|c| c.class).filter(|class| of_one_effect(&clean.candidates, *class)).collect();
-        let mut told = shown_by_both(clean.candidates);
+        let eaten = matches!(task.hiding, Hiding::Eaten(_));
+        let mut told = if eaten { clean.candidates } else { shown_by_both(clean.candidates) };
         if let Hiding::Decoy(_) = task.hiding {
             told.retain(|c| alone.contains(&c.class));
         }
@@ -414,6 +416,8 @@ fn of_one_effect(candidates: &[Candidate], class: usize) -> bool {
     ids.next().is_some_and(|first| ids.all(|id| id == first))
 }
 
+/// A spring is eaten where the smallest that shows is as many times as stiff.
+const EATEN: f64 = 3.0;
 /// The most by which the test record may show an effect less than the training records do, to be of use against it.
 const DULLER: f64 = 3.0;
 
@@ -465,18 +469,21 @@ fn choose(
         }
     };
     if let Hiding::Eaten(share) = task.hiding {
-        // as stiff as a share of gravity, in the last joint
+        // as stiff as a share of gravity, in the last joint where the fitted parameters hide it from these records
         let (coordinates, _) = task.rig.names();
-        let last = coordinates.len() - 1;
-        let (_, f) = plant.mechanics.equations(&std::array::from_fn(|i| if i == last { 0.01 } else { 0.0 }), &[0.0; 3], &[0.0; 3]);
-        let hidden = Hidden {
-            effect: "spring".to_owned(),
-            place: coordinates[last].to_owned(),
-            sizes: vec![share * f[last].abs() / 0.01, 0.0],
-            multiple: share,
-        };
-        hide(plant, task.rig, &hidden, moved)?;
-        return Some(vec![hidden]);
+        return (0..coordinates.len()).rev().find_map(|i| {
+            let bent = std::array::from_fn(|k| if k == i { 0.01 } else { 0.0 });
+            let (_, f) = plant.mechanics.equations(&bent, &[0.0; 3], &[0.0; 3]);
+            let stiffness = share * f[i].abs() / 0.01;
+            let shows = told.iter().find(|c| c.effect == "spring" && c.place == coordinates[i]).map(|c| detectable(c)[0]);
+            if stiffness == 0.0 || shows.is_none_or(|shows| shows < EATEN * stiffness) {
+                return None;
+            }
+            let (effect, place) = ("spring".to_owned(), coordinates[i].to_owned());
+            let hidden = Hidden { effect, place, sizes: vec![stiffness, 0.0], multiple: share };
+            hide(plant, task.rig, &hidden, moved)?;
+            Some(vec![hidden])
+        });
     }
     let clean = plant.clone();
     let mut chosen: Vec<(Hidden, usize, Vec<Candidate>)> = Vec::new();

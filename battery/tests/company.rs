@@ -2,6 +2,7 @@
 
 use battery::conditions::{Condition, NOTHING};
 use battery::rigs::Rig;
+use battery::rows::tasks;
 use battery::run::{Hiding, Outcome, Task, run};
 use battery::table::all_right;
 use diagnose::Method;
@@ -63,4 +64,13 @@ fn a_length_that_grew_into_a_spring_is_told() {
     assert_eq!(names, ["spring", "backlash"], "{}", found.because);
     let stiff = found.said[0].values[0];
     assert!((stiff.0 - found.hidden[0].sizes[0]).abs() < 3.0 * stiff.1, "{stiff:?}");
+}
+
+#[test]
+fn a_search_whose_first_step_was_wrong_begins_once_more() {
+    let rigs = [Rig::Pendulum, Rig::Drive, Rig::CartPole, Rig::Furuta, Rig::DoublePendulum];
+    let all = tasks("two", 47, &rigs);
+    let task = all.iter().find(|t| t.number == 46).expect("46 is less than 47");
+    let found = run(task, None, false).expect("this can be hidden here");
+    assert!(all_right(&found), "{:?}, hidden {:?}: {}", found.said, found.hidden, found.because);
 }

@@ -6,7 +6,7 @@ use crate::effects::Edit;
 use crate::figures::{self, NONE, predictions};
 use crate::model::{Included, Prepared};
 use crate::options::Options;
-use crate::shown::{Share, Way, share};
+use crate::shown::{Beside, Share, Way, share};
 use ident::innovations::{Ahead, Estimated, Track};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -169,7 +169,10 @@ pub fn judge(bench: &Bench<'_>, tried: &Tried, options: &Options<'_>) -> Ruling 
     }
     let way = if estimates.is_empty() { Way::From(&bench.prepared.model) } else { Way::Parameters(&own) };
     let noise = &tried.fitted.found.noise;
-    let of = |p: &[f64], track: &Track, known: &[(usize, f64)]| share(&tried.prepared, p, &way, noise, track, known);
+    let of = |p: &[f64], track: &Track, known: &[(usize, f64)]| {
+        let beside = if options.method.absorption { Beside::Free(known) } else { Beside::Held };
+        share(&tried.prepared, p, &way, noise, track, beside)
+    };
     let known = known(&tried.fitted.found);
     let mut train: Vec<(String, Option<Share>)> = Vec::new();
     let mut held: Vec<(String, Option<Share>)> = Vec::new();

@@ -1,7 +1,6 @@
 //! The choices of a diagnosis.
 
 use crate::effects::Effect;
-use crate::screen::UNIQUE;
 use sim::Hold;
 
 /// Choices of a diagnosis.
@@ -39,16 +38,8 @@ pub struct Method {
     pub family: bool,
     /// Acceptance on other records; without, on the training records themselves.
     pub other_records: bool,
-    /// Effects that the fitted parameters eat are set aside.
+    /// An effect is what the fitted parameters cannot do; without, these are as if known wherever an effect is judged.
     pub absorption: bool,
-}
-
-impl Method {
-    /// Least share of an effect that the fitted parameters must leave for it to be asked for.
-    #[must_use]
-    pub fn unique(&self) -> f64 {
-        if self.absorption { UNIQUE } else { 0.0 }
-    }
 }
 
 impl Default for Method {

@@ -12,6 +12,7 @@ use crate::effects::{Effect, Signature};
 use crate::model::Prepared;
 use ident::fit::FitError;
 use ident::innovations::{Column, Noise, Pass, Shape, TAIL, Track, pass};
+use ident::spectrum::of_symmetric;
 use model_dsl::rig::{Expr, Friction, Symbol};
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
@@ -67,8 +68,8 @@ pub struct ScreenOptions {
     pub family: f64,
     /// Seed of the draws.
     pub seed: u64,
-    /// Least share of a signature that the fitted parameters must leave.
-    pub unique: f64,
+    /// What the fitted parameters can do is taken out of each signature, and it must leave something.
+    pub absorption: bool,
 }
 
 /// Scores all candidates, one entry for each, at the fitted parameters `p` of each record.
@@ -167,7 +168,10 @@ pub fn screen(
             gram[(k, k)] += 1.0 / (sd * sd);
         }
     }
-    let projection = solve(&gram, &cross);
+    let mut projection = solve(&gram, &cross);
+    if !options.absorption {
+        projection.columns_mut(0, m).fill(0.0);
+    }
 
     // residual columns and innovations
     let mut residual = vec![0.0; samples * m];
@@ -200,7 +204,7 @@ pub fn screen(
     let mut scores = Vec::new();
     let mut tests = Vec::new();
     for range in &own {
-        let test = Test::new(&all, &whole, range.clone(), options.unique);
+        let test = Test::new(&all, &whole, range.clone());
         scores.push(score(&test, &residual, m, &innovation, &record_of, &time_of));
         tests.push(test);
     }
@@ -298,7 +302,7 @@ fn solve(gram: &DMatrix<f64>, cross: &DMatrix<f64>) -> DMatrix<f64> {
     if b == 0 {
         return right;
     }
-    let eigen = scaled.symmetric_eigen();
+    let eigen = of_symmetric(scaled);
     let largest = eigen.eigenvalues.max().max(f64::MIN_POSITIVE);
     let mut turned = eigen.eigenvectors.transpose() * right;
     for (i, value) in eigen.eigenvalues.iter().enumerate() {
@@ -330,17 +334,16 @@ struct Test {
     inverse: DMatrix<f64>,
     degrees: usize,
     unique: f64,
-    least: f64,
 }
 
 impl Test {
-    fn new(all: &DMatrix<f64>, whole: &[f64], range: std::ops::Range<usize>, least: f64) -> Self {
+    fn new(all: &DMatrix<f64>, whole: &[f64], range: std::ops::Range<usize>) -> Self {
         let k = range.len();
         let normal = DMatrix::from_fn(k, k, |i, j| all[(range.start + i, range.start + j)]);
         let scale: Vec<f64> = range.clone().map(|i| if whole[i] > 0.0 { whole[i].sqrt().recip() } else { 0.0 }).collect();
         // share of each column that is its own, directions of it
         let shares = DMatrix::from_fn(k, k, |i, j| normal[(i, j)] * scale[i] * scale[j]);
-        let eigen = shares.symmetric_eigen();
+        let eigen = of_symmetric(shares);
         let unique = eigen.eigenvalues.iter().copied().fold(0.0, f64::max).min(1.0);
         let mut inverse = DMatrix::zeros(k, k);
         let mut degrees = 0;
@@ -354,11 +357,11 @@ impl Test {
                 }
             }
         }
-        Self { range, normal, inverse, degrees, unique, least }
+        Self { range, normal, inverse, degrees, unique }
     }
 
     fn speaks(&self) -> bool {
-        self.degrees > 0 && self.unique >= self.least
+        self.degrees > 0 && self.unique >= UNIQUE
     }
 
     fn statistic(&self, b: &DVector<f64>) -> f64 {
@@ -427,7 +430,7 @@ fn draws(all: &DMatrix<f64>, tests: &[Test], seed: u64) -> Vec<f64> {
     if m == 0 {
         return vec![1.0];
     }
-    let eigen = unit.symmetric_eigen();
+    let eigen = of_symmetric(unit);
     let kept: Vec<usize> = (0..m).filter(|&k| eigen.eigenvalues[k] > 1e-10).collect();
     let root = DMatrix::from_fn(m, kept.len(), |i, k| scale[i] * eigen.eigenvectors[(i, kept[k])] * eigen.eigenvalues[kept[k]].sqrt());
     let mut chance = Chance::new(seed);

@@ -107,7 +107,7 @@ impl State {
                 _ => seen.push(Seen::Effect(e, texts.of_effect[column[k]].clone())),
             }
         }
-        let choices = ScreenOptions { family: options.family, seed: options.seed, unique: options.method.unique() };
+        let choices = ScreenOptions { family: options.family, seed: options.seed, absorption: options.method.absorption };
         let of_test: Vec<Vec<f64>> = self.fitted.of_test.iter().take(held.len()).map(|p| carried(p)).collect();
         let begun: Vec<Track> = held.iter().zip(&of_test).map(|(track, p)| track.begun(&texts.model, p)).collect();
         // a test record that cannot be followed shows nothing
@@ -128,7 +128,7 @@ impl State {
         let begun = held.iter().zip(&self.fitted.of_test).map(|(track, p)| track.begun(&self.prepared.model, p));
         let all: Vec<Track> = tracks.iter().cloned().chain(begun).collect();
         let p: Vec<Vec<f64>> = self.fitted.found.p.iter().chain(&self.fitted.of_test).cloned().collect();
-        let choices = ScreenOptions { family: options.family, seed: options.seed, unique: options.method.unique() };
+        let choices = ScreenOptions { family: options.family, seed: options.seed, absorption: options.method.absorption };
         let of = |(included, coefficients): (&Included, &Vec<usize>)| {
             let seen = uneven(&self.prepared, &scales, &included.effect, coefficients);
             let noise = &self.fitted.found.noise;
@@ -150,7 +150,7 @@ impl State {
         let worth = |s: &Score| s.statistic - 2.0 * spent(s.degrees, self.fitted.found.samples);
         let speaks = |s: &Score| {
             let beyond_chance = if options.method.family { s.p_family < options.family } else { worth(s) > 0.0 };
-            beyond_chance && s.unique_fraction >= options.method.unique()
+            beyond_chance && s.unique_fraction >= UNIQUE
         };
         let mut order: Vec<usize> = (0..left.len()).filter(|&i| speaks(&scores[i]) && !wrong_sign(left[i], &scores[i])).collect();
         order.sort_by(|&a, &b| worth(&scores[b]).total_cmp(&worth(&scores[a])));

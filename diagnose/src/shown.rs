@@ -7,8 +7,9 @@
 
 use crate::chance::variance_of_sum;
 use crate::model::Prepared;
-use ident::fit::FitError;
+use ident::fit::{FitError, ParameterSpec};
 use ident::innovations::{Column, Noise, Pass, TAIL, Track, pass};
+use ident::spectrum::pseudo_inverse;
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
 
@@ -42,8 +43,17 @@ pub enum Way<'a> {
     From(&'a dyn Model),
 }
 
-/// The share that a record shows of the effect in the refitted model, whose parameters for it are `p`; `known` are standard deviations of
-/// those that other records know. `None` where the record cannot be followed, or says nothing.
+/// What is known of the rig's fitted numbers, beside which a record is asked.
+#[derive(Clone, Copy)]
+pub enum Beside<'a> {
+    /// Nothing but standard deviations of those that other records know.
+    Free(&'a [(usize, f64)]),
+    /// All of them.
+    Held,
+}
+
+/// The share that a record shows of the effect in the refitted model, whose parameters are `p`. `None` where the record cannot be followed, or
+/// says nothing.
 ///
 /// # Errors
 /// As [`ident::innovations::pass`].
@@ -53,7 +63,7 @@ pub fn share(
     way: &Way<'_>,
     noise: &Noise,
     track: &Track,
-    known: &[(usize, f64)],
+    beside: Beside<'_>,
 ) -> Result<Option<Share>, FitError> {
     let model: &dyn Model = &prepared.model;
     let noise = prepared.noise(noise);
@@ -62,7 +72,12 @@ pub fn share(
         Way::Parameters(own) => own,
         Way::From(_) => &[],
     };
-    let base: Vec<usize> = prepared.specs.iter().enumerate().filter(|(i, s)| s.free && !own.contains(i)).map(|(i, _)| i).collect();
+    let known = match beside {
+        Beside::Free(known) => Some(known),
+        Beside::Held => None,
+    };
+    let free = |(i, s): &(usize, &ParameterSpec)| known.is_some() && s.free && !own.contains(i);
+    let base: Vec<usize> = prepared.specs.iter().enumerate().filter(free).map(|(i, _)| i).collect();
     let mut columns: Vec<Column<'_>> = base.iter().map(|&i| Column::Parameter(i)).collect();
     match way {
         Way::Parameters(own) => columns.extend(own.iter().map(|&i| Column::Parameter(i))),
@@ -74,7 +89,7 @@ pub fn share(
         Way::Parameters(own) => own.iter().map(|&i| p[i]).collect(),
         Way::From(_) => vec![-1.0],
     };
-    let of_others = |i: usize| known.iter().find(|(k, _)| *k == i).map_or(0.0, |(_, sd)| sd.powi(-2));
+    let of_others = |i: usize| known.and_then(|known| known.iter().find(|(k, _)| *k == i)).map_or(0.0, |(_, sd)| sd.powi(-2));
     let prior = |&i: &usize| prepared.specs[i].prior_sd.map_or(0.0, |sd| sd.powi(-2)) + of_others(i);
     let priors: Vec<f64> = base.iter().map(prior).collect();
     Ok(step(&pass, columns.len(), &priors, &along))
@@ -99,18 +114,7 @@ fn step(pass: &Pass, count: usize, priors: &[f64], along: &[f64]) -> Option<Shar
     for (i, prior) in priors.iter().enumerate() {
         normal[(i, i)] += prior;
     }
-    let scale: Vec<f64> = (0..=b).map(|i| if normal[(i, i)] > 0.0 { normal[(i, i)].sqrt().recip() } else { 0.0 }).collect();
-    let scaled = DMatrix::from_fn(b + 1, b + 1, |i, j| normal[(i, j)] * scale[i] * scale[j]);
-    let eigen = scaled.symmetric_eigen();
-    let largest = eigen.eigenvalues.max();
-    let mut inverse = DMatrix::zeros(b + 1, b + 1);
-    for (k, value) in eigen.eigenvalues.iter().enumerate() {
-        if *value > 1e-11 * largest {
-            let vector = eigen.eigenvectors.column(k);
-            inverse.ger(value.recip(), &vector, &vector, 1.0);
-        }
-    }
-    let inverse = DMatrix::from_fn(b + 1, b + 1, |i, j| inverse[(i, j)] * scale[i] * scale[j]);
+    let inverse = pseudo_inverse(&normal, 1e-11);
     let own = inverse.column(b).into_owned();
     if own[b] <= 0.0 || !own[b].is_finite() {
         return None;
