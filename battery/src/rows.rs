@@ -62,7 +62,6 @@ pub fn tasks(row: &'static str, runs: u64, rigs: &[Rig]) -> Vec<Task> {
         "day" => add("of-the-day", &[DAY], Hiding::Nothing, full, &Rig::ALL, "day"),
         "ablation" => {
             let torque = [NOTHING[2]];
-            let eaten = [Condition { reach: 0.1, ..NOTHING[1] }];
             // a criterion that counts samples is another test in another length; without the test on other records its errors show
             let brief = [Condition { samples: Some(250), ..NOTHING[2] }];
             let alone = Method { other_records: false, ..full };
@@ -81,8 +80,6 @@ pub fn tasks(row: &'static str, runs: u64, rigs: &[Rig]) -> Vec<Task> {
             );
             add("day: full method", &[DAY], Hiding::Nothing, full, &Rig::ALL, "day");
             add("day: no other records", &[DAY], Hiding::Nothing, Method { other_records: false, ..full }, &Rig::ALL, "day");
-            add("eaten: full method", &eaten, Hiding::Eaten(0.05), full, &turning, "eaten");
-            add("eaten: no absorption", &eaten, Hiding::Eaten(0.05), Method { absorption: false, ..full }, &turning, "eaten");
             add("one: full method", &HIDING, Hiding::Some(1, 3.0), full, &Rig::ALL, "one");
             add("one: no absorption", &HIDING, Hiding::Some(1, 3.0), Method { absorption: false, ..full }, &Rig::ALL, "one");
         }

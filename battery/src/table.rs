@@ -86,7 +86,15 @@ pub fn tables(all: &[Outcome]) -> String {
                 let _ = writeln!(text);
                 silent(&own, &mut text, "rig", &|o| o.rig.clone());
             }
-            "ablation" => silent(&own, &mut text, "what is hidden: method", &|o| o.part.clone()),
+            "ablation" => {
+                let (nothing, some): (Vec<&Outcome>, Vec<&Outcome>) = own.iter().partition(|o| o.hidden.is_empty());
+                for (group, table) in [(&nothing, silent as Table), (&some, hidden)] {
+                    if !group.is_empty() {
+                        table(group, &mut text, "what is hidden: method", &|o| o.part.clone());
+                        let _ = writeln!(text);
+                    }
+                }
+            }
             "outside" => outside(&own, &mut text),
             "dose" => dose(&own, &mut text),
             _ => {
@@ -126,6 +134,9 @@ fn speaks(o: &Outcome) -> bool {
     let day = o.part.starts_with("of-the-day") || o.part.starts_with("day:");
     o.said.iter().any(|s| !(day && s.by_record))
 }
+
+/// Counts of a list of outcomes, by what names their groups.
+type Table = fn(&[&Outcome], &mut String, &str, &dyn Fn(&Outcome) -> String);
 
 fn silent(own: &[&Outcome], text: &mut String, title: &str, key: &dyn Fn(&Outcome) -> String) {
     let _ = writeln!(text, "| {title} | screening error | effects reported | verdicts | median s |\n|---|---|---|---|---|");
