@@ -59,6 +59,8 @@ pub struct Score {
     pub step: Vec<(f64, f64)>,
     /// Its whitened signature, projected, of length one.
     pub direction: Vec<f32>,
+    /// The same of each of its parameters alone, where it has several.
+    pub each: Vec<Vec<f32>>,
 }
 
 /// How a screening is made.
@@ -408,8 +410,7 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
     }
     let p_single = if test.speaks() { beyond(statistic, test.degrees) } else { 1.0 };
     let step = (0..k).map(|i| (estimate[i], test.inverse[(i, i)].max(0.0).sqrt())).collect();
-    let length = along.iter().map(|d| d * d).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
-    let direction = along.iter().map(|d| (d / length) as f32).collect();
+    let alone = |i: usize| unit(rows().map(|row| row[i]));
     Score {
         statistic,
         degrees: test.degrees,
@@ -418,8 +419,15 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
         unique_fraction: test.unique,
         minimal_detectable: Vec::new(),
         step,
-        direction,
+        direction: unit(along.iter().copied()),
+        each: if k > 1 { (0..k).map(alone).collect() } else { Vec::new() },
     }
+}
+
+/// A column of length one.
+fn unit(column: impl Iterator<Item = f64> + Clone) -> Vec<f32> {
+    let length = column.clone().map(|d| d * d).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
+    column.map(|d| (d / length) as f32).collect()
 }
 
 /// Smallest p-values of the family over draws with nothing missing, ascending.
@@ -452,5 +460,11 @@ fn draws(all: &DMatrix<f64>, tests: &[Test], seed: u64) -> Vec<f64> {
 /// Cosine of two signatures.
 #[must_use]
 pub fn cosine(a: &Score, b: &Score) -> f64 {
-    a.direction.iter().zip(&b.direction).map(|(x, y)| f64::from(*x) * f64::from(*y)).sum()
+    between(&a.direction, &b.direction)
+}
+
+/// Cosine of two columns of length one.
+#[must_use]
+pub fn between(a: &[f32], b: &[f32]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| f64::from(*x) * f64::from(*y)).sum()
 }

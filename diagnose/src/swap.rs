@@ -1,11 +1,12 @@
 //! Swaps: an effect that was accepted may have stood for another one, which only shows beside its companions, or which all records
-//! together find likelier; and others may be as likely.
+//! together find likelier, or which says the same with fewer numbers; and others may be as likely.
 
 use crate::accept::{Bench, Refusal, Tried, judge};
 use crate::base_fit::{Fitted, refit};
 use crate::effects::Effect;
 use crate::error::DiagnoseError;
 use crate::model::Prepared;
+use crate::screen::{SAME, between, cosine};
 use crate::search::{Question, SEPARATES, State, worth};
 use crate::together::{Against, Candidate, Passed, predicted};
 use ident::innovations::Track;
@@ -15,9 +16,12 @@ const RIVALS: usize = 3;
 /// Smallest statistic of these, in parts of that of the effect itself.
 const NEARLY: f64 = 0.7;
 
+/// Cosine of signatures that are one and the same.
+const EQUAL: f64 = 0.999;
+
 /// What may stand in the place of an accepted effect.
 pub(crate) enum Place {
-    /// Another one is likelier, and passes.
+    /// Another one is likelier, or as likely with fewer numbers, and passes.
     Swap(Box<Swap>),
     /// These, by their numbers among all effects, are as likely, and would pass or cannot be ruled out.
     AsLikely(Vec<usize>),
@@ -57,7 +61,20 @@ pub(crate) fn in_place_of(
     let Ok(round) = without.screen(ask, &left, tracks, &[]) else { return nothing() };
     let is_own = |i: usize| left[i].id == own.id && left[i].place == own.place;
     let statistic = |i: usize| round.scores[i].statistic;
-    let least = NEARLY * (0..left.len()).filter(|&i| is_own(i)).map(statistic).fold(0.0, f64::max);
+    let itself = (0..left.len()).filter(|&i| is_own(i)).max_by(|&a, &b| statistic(a).total_cmp(&statistic(b)));
+    let least = NEARLY * itself.map_or(0.0, statistic);
+    // what says the same with fewer numbers: all but one of its own are nothing
+    let left_over = only_one(current, out);
+    let alike = |i: usize| {
+        let column = itself.zip(left_over).and_then(|(itself, k)| round.scores[itself].each.get(k));
+        column.map_or(0.0, |column| between(column, &round.scores[i].direction).abs())
+    };
+    let simpler = |i: usize| round.scores[i].degrees == 1 && alike(i) > EQUAL;
+    // what says the same with more
+    let larger = |i: usize| {
+        let same = |itself: usize| cosine(&round.scores[itself], &round.scores[i]).abs() > SAME;
+        itself.is_some_and(|itself| round.scores[i].degrees > round.scores[itself].degrees && same(itself))
+    };
     let noise = &current.fitted.found.noise;
     let worth = |prepared: &Prepared, fitted: &Fitted| worth(prepared, fitted, noise, held);
     let before = worth(&current.prepared, &current.fitted)?;
@@ -67,8 +84,10 @@ pub(crate) fn in_place_of(
         return Ok(Place::Empty(Box::new(State { prepared, fitted, ..without })));
     }
     let mut rivals: Vec<(f64, Tried)> = Vec::new();
-    let likely = without.speaking(ask, &left, &round).into_iter().filter(|&i| !is_own(i) && statistic(i) >= least);
-    for i in likely.take(RIVALS) {
+    let mut likely = without.speaking(ask, &left, &round);
+    likely.retain(|&i| !is_own(i) && !larger(i) && statistic(i) >= least);
+    let nearest = (0..left.len()).filter(|&i| simpler(i) && !is_own(i)).max_by(|&a, &b| alike(a).total_cmp(&alike(b)));
+    for i in nearest.into_iter().chain(likely.into_iter().filter(|&i| Some(i) != nearest).take(RIVALS)) {
         let Some(rival) = without.with(ask, &left, &round, (i, &without.fitted), (&mut *tracks, held)) else { continue };
         let own = worth(&rival.prepared, &rival.fitted)?;
         // a hurried fit may lack as much
@@ -98,7 +117,8 @@ pub(crate) fn in_place_of(
                 continue;
             }
         }
-        if untold || ahead <= SEPARATES {
+        let enough = if simpler(rival.index) { 0.0 } else { SEPARATES };
+        if untold || ahead <= enough {
             tell(&format!("  {title} is as likely as {}", own.title()));
             as_likely.push(numbers[rival.index]);
             continue;
@@ -110,4 +130,13 @@ pub(crate) fn in_place_of(
         return Ok(Place::Swap(Box::new(Swap { state, passed })));
     }
     Ok(Place::AsLikely(as_likely))
+}
+
+/// The one coefficient of an accepted effect that is not zero, where it has several.
+fn only_one(state: &State, out: usize) -> Option<usize> {
+    let own = &state.prepared.of_effect[out];
+    let is_there = |i: &usize| state.fitted.found.unknowns.iter().any(|u| u.parameter == *i && u.value.abs() > 1.96 * u.robust_sd);
+    let mut there = (0..own.len()).filter(|&k| is_there(&own[k]));
+    let first = there.next().filter(|_| own.len() > 1)?;
+    there.next().is_none().then_some(first)
 }
