@@ -6,7 +6,7 @@ use crate::base_fit::{Fitted, refit};
 use crate::effects::Effect;
 use crate::error::DiagnoseError;
 use crate::model::Prepared;
-use crate::screen::{SAME, between, cosine};
+use crate::screen::{SAME, Score, between, cosine};
 use crate::search::{Question, SEPARATES, State, worth};
 use crate::together::{Against, Candidate, Passed, predicted};
 use ident::innovations::Track;
@@ -60,21 +60,7 @@ pub(crate) fn in_place_of(
     // a model that lacks it may not be able to follow the records at all
     let Ok(round) = without.screen(ask, &left, tracks, &[]) else { return nothing() };
     let is_own = |i: usize| left[i].id == own.id && left[i].place == own.place;
-    let statistic = |i: usize| round.scores[i].statistic;
-    let itself = (0..left.len()).filter(|&i| is_own(i)).max_by(|&a, &b| statistic(a).total_cmp(&statistic(b)));
-    let least = NEARLY * itself.map_or(0.0, statistic);
-    // what says the same with fewer numbers: all but one of its own are nothing
-    let left_over = only_one(current, out);
-    let alike = |i: usize| {
-        let column = itself.zip(left_over).and_then(|(itself, k)| round.scores[itself].each.get(k));
-        column.map_or(0.0, |column| between(column, &round.scores[i].direction).abs())
-    };
-    let simpler = |i: usize| round.scores[i].degrees == 1 && alike(i) > EQUAL;
-    // what says the same with more
-    let larger = |i: usize| {
-        let same = |itself: usize| cosine(&round.scores[itself], &round.scores[i]).abs() > SAME;
-        itself.is_some_and(|itself| round.scores[i].degrees > round.scores[itself].degrees && same(itself))
-    };
+    let kin = Kin::new(&round.scores, (0..left.len()).filter(|&i| is_own(i)), only_one(current, out));
     let noise = &current.fitted.found.noise;
     let worth = |prepared: &Prepared, fitted: &Fitted| worth(prepared, fitted, noise, held);
     let before = worth(&current.prepared, &current.fitted)?;
@@ -84,10 +70,10 @@ pub(crate) fn in_place_of(
         return Ok(Place::Empty(Box::new(State { prepared, fitted, ..without })));
     }
     let mut rivals: Vec<(f64, Tried)> = Vec::new();
-    let mut likely = without.speaking(ask, &left, &round);
-    likely.retain(|&i| !is_own(i) && !larger(i) && statistic(i) >= least);
-    let nearest = (0..left.len()).filter(|&i| simpler(i) && !is_own(i)).max_by(|&a, &b| alike(a).total_cmp(&alike(b)));
-    for i in nearest.into_iter().chain(likely.into_iter().filter(|&i| Some(i) != nearest).take(RIVALS)) {
+    let others = |i: &usize| !is_own(*i);
+    let nearest = kin.simplest((0..left.len()).filter(others));
+    let likely = without.speaking(ask, &left, &round).into_iter().filter(others).filter(|&i| Some(i) != nearest && kin.rivals(i));
+    for i in nearest.into_iter().chain(likely.take(RIVALS)) {
         let Some(rival) = without.with(ask, &left, &round, (i, &without.fitted), (&mut *tracks, held)) else { continue };
         let own = worth(&rival.prepared, &rival.fitted)?;
         // a hurried fit may lack as much
@@ -117,7 +103,7 @@ pub(crate) fn in_place_of(
                 continue;
             }
         }
-        let enough = if simpler(rival.index) { 0.0 } else { SEPARATES };
+        let enough = if nearest == Some(rival.index) { 0.0 } else { SEPARATES };
         if untold || ahead <= enough {
             tell(&format!("  {title} is as likely as {}", own.title()));
             as_likely.push(numbers[rival.index]);
@@ -130,6 +116,37 @@ pub(crate) fn in_place_of(
         return Ok(Place::Swap(Box::new(Swap { state, passed })));
     }
     Ok(Place::AsLikely(as_likely))
+}
+
+/// How others stand to the effect itself, in a screening without it.
+struct Kin<'a> {
+    scores: &'a [Score],
+    itself: Option<usize>,
+    /// The one column of its own that is not nothing.
+    only: Option<usize>,
+}
+
+impl<'a> Kin<'a> {
+    /// `itself` are the shapes of the effect: the loudest counts.
+    fn new(scores: &'a [Score], itself: impl Iterator<Item = usize>, only: Option<usize>) -> Self {
+        Self { scores, itself: itself.max_by(|&a, &b| scores[a].statistic.total_cmp(&scores[b].statistic)), only }
+    }
+
+    /// What says the same with one number where the effect has several of which the others are nothing.
+    fn simplest(&self, among: impl Iterator<Item = usize>) -> Option<usize> {
+        let column = self.scores[self.itself?].each.get(self.only?)?;
+        let cosine = |i: usize| between(column, &self.scores[i].direction).abs();
+        let same = among.filter(|&i| self.scores[i].degrees == 1).map(|i| (cosine(i), i)).filter(|(cosine, _)| *cosine > EQUAL);
+        same.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i)
+    }
+
+    /// Nearly as loud, and not the same with more numbers.
+    fn rivals(&self, i: usize) -> bool {
+        let Some(own) = self.itself.map(|k| &self.scores[k]) else { return true };
+        let one = &self.scores[i];
+        let larger = one.degrees > own.degrees && cosine(own, one).abs() > SAME;
+        !larger && one.statistic >= NEARLY * own.statistic
+    }
 }
 
 /// The one coefficient of an accepted effect that is not zero, where it has several.
