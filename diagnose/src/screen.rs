@@ -59,7 +59,7 @@ pub struct Score {
     pub step: Vec<(f64, f64)>,
     /// Its whitened signature, projected, of length one.
     pub direction: Vec<f32>,
-    /// The same of each of its parameters alone, where it has several.
+    /// The same of each of its parameters alone, where it is an effect that has several.
     pub each: Vec<Vec<f32>>,
 }
 
@@ -205,9 +205,13 @@ pub fn screen(
     let all = gram_of(&residual, m);
     let mut scores = Vec::new();
     let mut tests = Vec::new();
-    for range in &own {
+    for (candidate, range) in candidates.iter().zip(&own) {
         let test = Test::new(&all, &whole, range.clone());
-        scores.push(score(&test, &residual, m, &innovation, &record_of, &time_of));
+        let mut score = score(&test, &residual, m, &innovation, &record_of, &time_of);
+        if matches!(candidate, Seen::Effect(..)) && range.len() > 1 {
+            score.each = range.clone().map(|i| unit(residual.chunks_exact(m).map(|row| row[i]))).collect();
+        }
+        scores.push(score);
         tests.push(test);
     }
     let least = draws(&all, &tests, options.seed);
@@ -410,7 +414,6 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
     }
     let p_single = if test.speaks() { beyond(statistic, test.degrees) } else { 1.0 };
     let step = (0..k).map(|i| (estimate[i], test.inverse[(i, i)].max(0.0).sqrt())).collect();
-    let alone = |i: usize| unit(rows().map(|row| row[i]));
     Score {
         statistic,
         degrees: test.degrees,
@@ -420,7 +423,7 @@ fn score(test: &Test, residual: &[f64], m: usize, z: &[f64], record: &[usize], t
         minimal_detectable: Vec::new(),
         step,
         direction: unit(along.iter().copied()),
-        each: if k > 1 { (0..k).map(alone).collect() } else { Vec::new() },
+        each: Vec::new(),
     }
 }
 
