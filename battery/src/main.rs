@@ -134,8 +134,15 @@ fn arguments(given: Vec<String>) -> Result<Arguments, String> {
 
 fn read(path: &str) -> Result<Vec<Outcome>, String> {
     let text = std::fs::read_to_string(path).map_err(|e| format!("{path}: {e}"))?;
-    // a line that was cut off is made again
-    Ok(text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect())
+    let mut all = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        match serde_json::from_str(line) {
+            Ok(outcome) => all.push(outcome),
+            // such as the last one of a battery that was stopped: it is made again
+            Err(why) => eprintln!("{path}:{}: left out, since it cannot be read: {why}", number + 1),
+        }
+    }
+    Ok(all)
 }
 
 fn work(given: Vec<String>) -> Result<(), String> {

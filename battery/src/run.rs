@@ -68,7 +68,8 @@ pub struct Said {
     pub place: String,
     /// What it cannot be told from.
     pub equivalent: Vec<(String, String)>,
-    /// Parameters: value and standard error.
+    /// Parameters: value and standard error, infinite where nothing is known of it.
+    #[serde(deserialize_with = "or_infinite")]
     pub values: Vec<(f64, f64)>,
     /// Its class among the first candidates.
     pub class: usize,
@@ -79,6 +80,12 @@ pub struct Said {
     /// It has a value for each record.
     #[serde(default)]
     pub by_record: bool,
+}
+
+/// Pairs of numbers; JSON has `null` for one that is infinite.
+fn or_infinite<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Vec<(f64, f64)>, D::Error> {
+    let all = Vec::<(Option<f64>, Option<f64>)>::deserialize(from)?;
+    Ok(all.into_iter().map(|(value, sd)| (value.unwrap_or(f64::INFINITY), sd.unwrap_or(f64::INFINITY))).collect())
 }
 
 /// A line of the results.
@@ -578,4 +585,26 @@ fn fill(outcome: &mut Outcome, found: &Diagnosis) {
     outcome.shrink.clone_from(&found.gap_shrink);
     // each step's error over that before it
     outcome.test_ratio = (!found.findings.is_empty()).then(|| found.findings.iter().map(|f| f.error_ratio).product());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Said;
+
+    #[test]
+    fn a_coefficient_of_which_nothing_is_known_is_read_again() {
+        let said = Said {
+            effect: "hard_stop".to_owned(),
+            place: "q".to_owned(),
+            equivalent: Vec::new(),
+            values: vec![(10.7, 1.5), (16.9, f64::INFINITY)],
+            class: 2,
+            p: 1e-6,
+            gain: (4e-3, 5e-3),
+            by_record: false,
+        };
+        let line = serde_json::to_string(&said).unwrap();
+        let again: Said = serde_json::from_str(&line).unwrap();
+        assert_eq!(again.values, said.values);
+    }
 }
