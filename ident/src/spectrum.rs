@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 const STEPS: usize = 100;
 
 /// Eigenvalues and eigenvectors (columns) of the symmetric matrix `m`, n x n. A normal matrix whose entries are not all finite says nothing: its
-/// eigenvalues are zero. (The library's own way goes on for ever there.)
+/// eigenvalues are zero. (The library's own way has no bound on its steps.)
 #[must_use]
 pub fn of_symmetric(m: DMatrix<f64>) -> SymmetricEigen<f64, nalgebra::Dyn> {
     let n = m.nrows();
