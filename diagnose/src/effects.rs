@@ -54,6 +54,14 @@ pub struct EffectParameter {
     pub shape: Option<ShapeRange>,
 }
 
+impl EffectParameter {
+    /// It is a number of the effect's shape, and fitted once the effect is there.
+    #[must_use]
+    pub fn is_fitted_shape(&self) -> bool {
+        self.shape.is_some_and(|s| s.within.0 < s.within.1)
+    }
+}
+
 /// Where a number of a shape is looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeRange {

@@ -4,7 +4,7 @@ use crate::answer::{Figure, Figures};
 use crate::model::Prepared;
 use ident::compare::{CompareOptions, compare, fit_percent};
 use ident::innovations::{Ahead, Noise, Track, ahead, wander};
-use ident::record::{Record, averaged};
+use ident::record::{Blocks, Record};
 use runtime::Model;
 use sim::Hold;
 
@@ -26,12 +26,6 @@ const FOLLOWS: f64 = 60.0;
 const STARTS: usize = 150;
 /// Samples of a record that is predicted.
 const SAMPLES: usize = 1500;
-
-/// Outputs that are read modulo one turn.
-fn wrapped(model: &dyn Model, p: &[f64]) -> Vec<String> {
-    let wraps = |i: &usize| model.output_path(*i, p).wrapped;
-    (0..model.dimensions().outputs).filter(wraps).map(|i| model.names().output(i).to_owned()).collect()
-}
 
 /// Free runs, unless an axis integrates or the refitted base drifts off: then predictions `ahead` [s].
 #[must_use]
@@ -77,13 +71,12 @@ pub fn figures(judged: Judged<'_>, train: Option<Measured<'_>>, test: Measured<'
 #[must_use]
 pub fn compared(model: &dyn Model, p: &[f64], record: &Record, view: View) -> Vec<Figure> {
     let count = record.t.len().div_ceil(SAMPLES);
-    let inputs: Vec<String> = (0..model.dimensions().inputs).map(|i| model.names().signal(i).to_owned()).collect();
-    let held = if view.hold == Hold::Zero { inputs } else { Vec::new() };
-    let fewer = view.horizon.filter(|_| count > 1).map(|_| averaged(record, count, &wrapped(model, p), &held));
-    let hold = if fewer.is_some() { Hold::First } else { view.hold };
+    let blocks = Blocks::of(model, p, view.hold);
+    let count = view.horizon.map_or(1, |_| count);
+    let (fewer, hold) = (blocks.averaged(record, count), blocks.hold(count));
     let simulation = sim::Options { relative: 1e-7, absolute: 1e-9, ..sim::Options::default() };
     let options = CompareOptions { hold, horizon: view.horizon, simulation, starts: STARTS, ..CompareOptions::default() };
-    let Ok(found) = compare(model, p, fewer.as_ref().unwrap_or(record), &options) else { return Vec::new() };
+    let Ok(found) = compare(model, p, &fewer, &options) else { return Vec::new() };
     let horizon = found.horizon();
     let of = |f: ident::compare::Figure| Figure {
         record: record.source.clone(),

@@ -84,7 +84,7 @@ pub fn prepare(base: &Base, asked: &[ParameterSpec], effects: &[Included], accep
             let Some(i) = index(&specs, &p.name) else { continue };
             let real = k < accepted;
             let held = e.held.get(j).copied().unwrap_or(false);
-            specs[i].free = real && !held && p.shape.is_none_or(|s| s.within.0 < s.within.1);
+            specs[i].free = real && !held && (p.shape.is_none() || p.is_fitted_shape());
             specs[i].prior_sd = None;
             specs[i].value = if held { 0.0 } else { values(e, real)[j] };
             specs[i].per_record = e.effect.by_record;

@@ -12,7 +12,7 @@ use crate::effects::{Effect, Signature};
 use crate::model::Prepared;
 use ident::fit::FitError;
 use ident::innovations::{Column, Noise, Pass, Shape, TAIL, Track, pass};
-use ident::spectrum::of_symmetric;
+use ident::spectrum::{of_symmetric, pseudo_inverse};
 use model_dsl::rig::{Expr, Friction, Symbol};
 use nalgebra::{DMatrix, DVector};
 use runtime::Model;
@@ -170,7 +170,7 @@ pub fn screen(
             gram[(k, k)] += 1.0 / (sd * sd);
         }
     }
-    let mut projection = solve(&gram, &cross);
+    let mut projection = pseudo_inverse(&gram, 1e-11) * &cross;
     if !options.absorption {
         projection.columns_mut(0, m).fill(0.0);
     }
@@ -297,27 +297,6 @@ fn clear_rounding(model: &dyn Model, p: &[f64], track: &Track, columns: &[Column
             pass.jacobian.iter_mut().skip(column).step_by(count).for_each(|v| *v = 0.0);
         }
     }
-}
-
-/// X with (gram) X = cross, scaled; directions without information get nothing.
-fn solve(gram: &DMatrix<f64>, cross: &DMatrix<f64>) -> DMatrix<f64> {
-    let b = gram.nrows();
-    let scale: Vec<f64> = (0..b).map(|i| if gram[(i, i)] > 0.0 { gram[(i, i)].sqrt().recip() } else { 0.0 }).collect();
-    let scaled = DMatrix::from_fn(b, b, |i, j| gram[(i, j)] * scale[i] * scale[j]);
-    let right = DMatrix::from_fn(b, cross.ncols(), |i, j| cross[(i, j)] * scale[i]);
-    if b == 0 {
-        return right;
-    }
-    let eigen = of_symmetric(scaled);
-    let largest = eigen.eigenvalues.max().max(f64::MIN_POSITIVE);
-    let mut turned = eigen.eigenvectors.transpose() * right;
-    for (i, value) in eigen.eigenvalues.iter().enumerate() {
-        let inverse = if *value > 1e-11 * largest { value.recip() } else { 0.0 };
-        turned.row_mut(i).scale_mut(inverse);
-    }
-    let mut x = eigen.eigenvectors * turned;
-    (0..b).for_each(|i| x.row_mut(i).scale_mut(scale[i]));
-    x
 }
 
 fn gram_of(rows: &[f64], m: usize) -> DMatrix<f64> {

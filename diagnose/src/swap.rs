@@ -82,8 +82,8 @@ pub(crate) fn in_place_of(
         }
     }
     rivals.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut as_likely = Vec::new();
     let at_gate = predicted(&without.fitted, &without.prepared, held, horizon);
+    let mut as_likely = Vec::new();
     for (_, mut rival) in rivals {
         if without.work_out(ask, &left, &round, &mut rival, tracks, held).is_err() {
             continue;
@@ -92,28 +92,28 @@ pub(crate) fn in_place_of(
         if is_own(rival.index) || ahead < -SEPARATES {
             continue;
         }
+        let title = left[rival.index].title();
         let bench = Bench { prepared: &without.prepared, fitted: &without.fitted, train: tracks, held, before: &at_gate, horizon };
         let verdict = judge(&bench, &rival, ask.options);
-        let title = left[rival.index].title();
-        // what the test records show too little of, they do not rule out either
-        let untold = matches!(verdict.refused, Some(Refusal::Untold(_)));
         if let Some(why) = &verdict.refused {
             tell(&format!("  {title} in the place of {}: {why}", own.title()));
-            if !untold {
-                continue;
-            }
         }
         let enough = if nearest == Some(rival.index) { 0.0 } else { SEPARATES };
-        if untold || ahead <= enough {
-            tell(&format!("  {title} is as likely as {}", own.title()));
-            as_likely.push(numbers[rival.index]);
-            continue;
+        match (&verdict.refused, ahead > enough) {
+            (None, true) => {
+                tell(&format!("  {title} takes the place of {}", own.title()));
+                let error_ratio = verdict.error_ratio;
+                let passed = Passed { is: Candidate::of(&rival, &numbers, &round), verdict, error_ratio };
+                let state = State::from(rival);
+                return Ok(Place::Swap(Box::new(Swap { state, passed })));
+            }
+            // what the test records show too little of, they do not rule out either
+            (None | Some(Refusal::Untold(_)), _) => {
+                tell(&format!("  {title} is as likely as {}", own.title()));
+                as_likely.push(numbers[rival.index]);
+            }
+            (Some(_), _) => {}
         }
-        tell(&format!("  {title} takes the place of {}", own.title()));
-        let error_ratio = verdict.error_ratio;
-        let passed = Passed { is: Candidate::of(&rival, &numbers, &round), verdict, error_ratio };
-        let state = State::from(rival);
-        return Ok(Place::Swap(Box::new(Swap { state, passed })));
     }
     Ok(Place::AsLikely(as_likely))
 }

@@ -1,11 +1,13 @@
 //! From where the search ended to a verdict, parameters that moved, and the patched text.
 
 use crate::accept::Refusal;
-use crate::answer::{Diagnosis, EffectValue, Moved, Verdict};
-use crate::effects::Effect;
+use crate::answer::{Candidate, Diagnosis, EffectValue, Finding, Moved, Verdict};
+use crate::effects::{Effect, EffectParameter};
 use crate::error::DiagnoseError;
+use crate::model::Included;
 use crate::patch::{Base, Written, check, compose, digits};
 use crate::search::State;
+use ident::innovations::Unknown;
 use ident::record::Record;
 use runtime::Model;
 
@@ -34,35 +36,29 @@ pub(crate) struct StillOpen {
     pub strained: Option<String>,
 }
 
-/// Verdict, moved parameters, patched text.
-#[allow(clippy::too_many_arguments)]
+/// How a search ended.
+pub(crate) struct Outcome<'a> {
+    /// The last model.
+    pub state: &'a State,
+    /// Candidates that were refused.
+    pub rejected: &'a [Rejected],
+    /// The last turn of the search.
+    pub last: usize,
+    /// What that model leaves open.
+    pub open: StillOpen,
+}
+
+/// Verdict, numbers of what was found, parameters that moved from `before`, patched text.
 pub(crate) fn finish(
     base: &Base,
     answer: &mut Diagnosis,
-    state: &State,
     before: &[(String, String, f64, f64)],
-    (rejected, last): (&[Rejected], usize),
-    StillOpen { left_over, unseen, strained }: StillOpen,
+    outcome: &Outcome<'_>,
     train: &[Record],
 ) -> Result<(), DiagnoseError> {
-    let specs = &state.prepared.specs;
+    let state = outcome.state;
     for (k, finding) in answer.findings.iter_mut().enumerate() {
-        let all = [&state.prepared.of_effect, &state.prepared.of_shape];
-        let own: Vec<usize> = all.iter().filter_map(|of| of.get(k)).flatten().copied().collect();
-        finding.parameters = state
-            .fitted
-            .found
-            .unknowns
-            .iter()
-            .filter(|u| own.contains(&u.parameter))
-            .map(|u| EffectValue {
-                name: specs[u.parameter].name.clone(),
-                record: u.record.and_then(|r| train.get(r)).map(|r| r.source.clone()),
-                value: u.value,
-                sd: u.robust_sd,
-                unit: state.prepared.model.names().parameter_unit(u.parameter).to_owned(),
-            })
-            .collect();
+        finding.parameters = numbers(state, k, train);
     }
     let after = state.free_parameters();
     answer.moved = before
@@ -73,34 +69,58 @@ pub(crate) fn finish(
         })
         .collect();
     answer.noise = Some(state.fitted.found.noise.clone());
-    for candidate in &mut answer.candidates {
+    say_what_became(&mut answer.candidates, &answer.findings, outcome.rejected);
+    (answer.verdict, answer.because) = decide(answer, outcome);
+    if !answer.findings.is_empty() {
+        let files = compose(base, &written(state, &answer.findings), &[])?;
+        check(&files, &base.rig.name)?;
+        answer.patched = files;
+    }
+    Ok(())
+}
+
+/// Values of the `k`-th finding in the last model.
+fn numbers(state: &State, k: usize, train: &[Record]) -> Vec<EffectValue> {
+    let all = [&state.prepared.of_effect, &state.prepared.of_shape];
+    let own: Vec<usize> = all.iter().filter_map(|of| of.get(k)).flatten().copied().collect();
+    let of = |u: &Unknown| EffectValue {
+        name: state.prepared.specs[u.parameter].name.clone(),
+        record: u.record.and_then(|r| train.get(r)).map(|r| r.source.clone()),
+        value: u.value,
+        sd: u.robust_sd,
+        unit: state.prepared.model.names().parameter_unit(u.parameter).to_owned(),
+    };
+    state.fitted.found.unknowns.iter().filter(|u| own.contains(&u.parameter)).map(of).collect()
+}
+
+/// The status of candidates that were found, or stand beside what was found, or were refused.
+fn say_what_became(candidates: &mut [Candidate], findings: &[Finding], rejected: &[Rejected]) {
+    for candidate in candidates {
         let title = |id: &str, place: &str| candidate.effect == id && candidate.place == place;
-        if answer.findings.iter().any(|f| title(&f.effect, &f.place)) {
+        let same = |r: &&Rejected| title(&r.effect.id, &r.effect.place) && r.effect.shape == candidate.shape;
+        if findings.iter().any(|f| title(&f.effect, &f.place)) {
             "accepted".clone_into(&mut candidate.status);
-        } else if answer.findings.iter().any(|f| f.equivalent.iter().any(|(id, place)| title(id, place))) {
+        } else if findings.iter().any(|f| f.equivalent.iter().any(|(id, place)| title(id, place))) {
             "equivalent".clone_into(&mut candidate.status);
-        } else if let Some(r) = rejected
-            .iter()
-            .find(|r| r.effect.id == candidate.effect && r.effect.place == candidate.place && r.effect.shape == candidate.shape)
-        {
+        } else if let Some(r) = rejected.iter().find(same) {
             candidate.status = format!("rejected: {}", r.why);
         }
     }
-    let equivalents = answer.findings.iter().find(|f| !f.equivalent.is_empty()).map(|f| {
-        let list: Vec<String> = f.equivalent.iter().map(|(id, place)| format!("{id} on {place}")).collect();
-        format!("these records cannot tell {} on {} from {}", f.effect, f.place, list.join(", "))
-    });
-    let besides = equivalents.as_ref().map(|e| format!("; besides, {e}")).unwrap_or_default();
+}
+
+/// The verdict, and why.
+fn decide(answer: &Diagnosis, outcome: &Outcome<'_>) -> (Verdict, String) {
+    let StillOpen { left_over, unseen, strained } = &outcome.open;
     let words = left_over.as_ref().map(|w| format!("; left over: {w}")).unwrap_or_default();
     // what the last model still leaves open
-    let open: Vec<&Rejected> = rejected.iter().filter(|r| r.significant && r.turn == last).collect();
+    let open: Vec<&Rejected> = outcome.rejected.iter().filter(|r| r.significant && r.turn == outcome.last).collect();
     let untold: Vec<String> = open.iter().filter(|r| matches!(r.why, Refusal::Untold(_))).map(|r| r.effect.title()).collect();
     let contradicted = open.iter().any(|r| !matches!(r.why, Refusal::Untold(_)));
-    (answer.verdict, answer.because) = if answer.findings.is_empty() {
+    let (verdict, mut because) = if answer.findings.is_empty() {
         if contradicted {
             (
                 Verdict::OutsideCatalogue,
-                format!("there is a gap, but no candidate stands the test on other records: {}{words}", reasons(rejected)),
+                format!("there is a gap, but no candidate stands the test on other records: {}{words}", reasons(outcome.rejected)),
             )
         } else if !untold.is_empty() {
             (
@@ -115,64 +135,76 @@ pub(crate) fn finish(
             (Verdict::OutsideCatalogue, format!("there is a gap that no candidate explains: {words}"))
         } else if answer.candidates.iter().all(|c| c.status == "not identifiable") && !answer.candidates.is_empty() {
             (Verdict::NotIdentifiable, "the fitted parameters imitate every candidate: these records move too little to tell".to_owned())
-        } else if let Some(strained) = &strained {
+        } else if let Some(strained) = strained {
             (Verdict::NotIdentifiable, format!("nothing is left that these records could show, but {strained}"))
         } else {
             (Verdict::NoGap, "nothing is missing that these records could show".to_owned())
         }
-    } else if let Some(equivalents) = equivalents.as_ref().filter(|_| left_over.is_none() && unseen.is_none() && strained.is_none()) {
-        (Verdict::Ambiguous, equivalents.clone())
-    } else if !untold.is_empty() && !contradicted {
-        (
-            Verdict::Partial,
-            format!("the test records cannot confirm {}, which the training records ask for besides{words}{besides}", untold.join(" or ")),
-        )
-    } else if contradicted || left_over.is_some() {
-        (Verdict::Partial, format!("something is left that no candidate explains{words}{besides}"))
-    } else if let Some(strained) = &strained {
-        (Verdict::Partial, format!("{strained}{besides}"))
-    } else if let Some(unseen) = unseen {
-        (Verdict::Partial, format!("{unseen}{besides}"))
     } else {
-        (Verdict::Complete, "what is left is white".to_owned())
-    };
-    if let Some(strained) = strained.filter(|words| !answer.because.contains(words.as_str())) {
-        answer.because.push_str(&format!("; {strained}"));
-    }
-    if !answer.findings.is_empty() {
-        let written: Vec<Written<'_>> = state
-            .accepted
+        let equivalents = answer
+            .findings
             .iter()
-            .zip(&answer.findings)
-            .map(|(included, finding)| {
-                let mut evidence = format!(
-                    "rig diagnose: {} on {}; gain on records not used {} +- {} nats/sample",
-                    finding.effect,
-                    finding.place,
-                    digits(finding.heldout_gain.0, 2),
-                    digits(finding.heldout_gain.1, 1)
-                );
-                if !finding.equivalent.is_empty() {
-                    let list: Vec<String> = finding.equivalent.iter().map(|(id, place)| format!("{id} on {place}")).collect();
-                    evidence.push_str(&format!("\nor {} (not separable with these records)", list.join(", ")));
-                }
-                let values = included
-                    .effect
-                    .parameters
-                    .iter()
-                    .map(|p| {
-                        let found = finding.parameters.iter().find(|v| v.name == p.name);
-                        found.map_or((p.shape.map_or(0.0, |s| s.at), 0.0), |v| (v.value, v.sd))
-                    })
-                    .collect();
-                Written { effect: &included.effect, values, evidence: Some(evidence), per_record: finding.per_record, screened: false }
-            })
-            .collect();
-        let files = compose(base, &written, &[])?;
-        check(&files, &base.rig.name)?;
-        answer.patched = files;
+            .find(|f| !f.equivalent.is_empty())
+            .map(|f| format!("these records cannot tell {} on {} from {}", f.effect, f.place, listed(&f.equivalent)));
+        let besides = equivalents.as_ref().map(|e| format!("; besides, {e}")).unwrap_or_default();
+        let untold_number = unknown_number(&answer.findings);
+        let small = strained.as_ref().or(unseen.as_ref()).or(untold_number.as_ref());
+        if let Some(equivalents) = equivalents.filter(|_| left_over.is_none() && small.is_none()) {
+            (Verdict::Ambiguous, equivalents)
+        } else if !untold.is_empty() && !contradicted {
+            (
+                Verdict::Partial,
+                format!(
+                    "the test records cannot confirm {}, which the training records ask for besides{words}{besides}",
+                    untold.join(" or ")
+                ),
+            )
+        } else if contradicted || left_over.is_some() {
+            (Verdict::Partial, format!("something is left that no candidate explains{words}{besides}"))
+        } else if let Some(small) = small {
+            (Verdict::Partial, format!("{small}{besides}"))
+        } else {
+            (Verdict::Complete, "what is left is white".to_owned())
+        }
+    };
+    if let Some(strained) = strained.as_ref().filter(|words| !because.contains(words.as_str())) {
+        because.push_str(&format!("; {strained}"));
     }
-    Ok(())
+    (verdict, because)
+}
+
+/// A number of what was found of which these records say nothing, in words.
+fn unknown_number(findings: &[Finding]) -> Option<String> {
+    let (finding, number) = findings.iter().find_map(|f| Some((f, f.parameters.iter().find(|v| !v.sd.is_finite())?)))?;
+    Some(format!("these records say nothing of {} of {} on {}", number.name, finding.effect, finding.place))
+}
+
+/// What was found, as it is written into the text.
+fn written<'a>(state: &'a State, findings: &[Finding]) -> Vec<Written<'a>> {
+    let one = |(included, finding): (&'a Included, &Finding)| {
+        let mut evidence = format!(
+            "rig diagnose: {} on {}; gain on records not used {} +- {} nats/sample",
+            finding.effect,
+            finding.place,
+            digits(finding.heldout_gain.0, 2),
+            digits(finding.heldout_gain.1, 1)
+        );
+        if !finding.equivalent.is_empty() {
+            evidence.push_str(&format!("\nor {} (not separable with these records)", listed(&finding.equivalent)));
+        }
+        let value = |p: &EffectParameter| {
+            let found = finding.parameters.iter().find(|v| v.name == p.name);
+            found.map_or((p.shape.map_or(0.0, |s| s.at), 0.0), |v| (v.value, v.sd))
+        };
+        let values = included.effect.parameters.iter().map(value).collect();
+        Written { effect: &included.effect, values, evidence: Some(evidence), per_record: finding.per_record, screened: false }
+    };
+    state.accepted.iter().zip(findings).map(one).collect()
+}
+
+/// `sensor_bias on phi2, base_tilt on x`.
+fn listed(effects: &[(String, String)]) -> String {
+    effects.iter().map(|(id, place)| format!("{id} on {place}")).collect::<Vec<_>>().join(", ")
 }
 
 /// Why candidates were refused, the first few; those that explain less than a refused one are only counted.

@@ -5,7 +5,7 @@
 use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
 use crate::base_fit::{Starting, fit_base};
 use crate::beginning::{self, Ended};
-use crate::effects::{Effect, IDS, Scales, by_record, catalogue};
+use crate::effects::{Effect, EffectParameter, IDS, Scales, by_record, catalogue};
 use crate::error::DiagnoseError;
 use crate::figures::{self, Measured, View, figures, shrink, view};
 use crate::locate::locate;
@@ -21,11 +21,11 @@ use crate::strangers::strangers;
 use crate::together::{Against, Passed};
 use crate::traces;
 use crate::turn::Search;
-use crate::verdict::finish;
+use crate::verdict::{Outcome, finish};
 use crate::watched::{leave_out_unknown, unwatched};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
-use ident::record::{Record, averaged};
+use ident::record::{Blocks, Record};
 use runtime::Model;
 use sim::Hold;
 use std::sync::Arc;
@@ -54,16 +54,10 @@ pub fn diagnose(
     let (raw, raw_test) = (train, test);
     let (train, test) = (&clean(train)[..], &clean(test)[..]);
     let block = stride(&plain, &p0, train);
-    let wrapped: Vec<String> =
-        rig.rig.outputs.iter().filter(|o| o.encoder.as_ref().is_some_and(|e| e.wrapped)).map(|o| o.name.clone()).collect();
-    let hold = if block > 1 { Hold::First } else { options.hold };
-    let held_inputs: Vec<String> =
-        if options.hold == Hold::Zero { rig.rig.inputs.iter().map(|i| i.name.clone()).collect() } else { Vec::new() };
+    let blocks = Blocks::of(&plain.model, &p0, options.hold);
+    let hold = blocks.hold(block);
     let bind = |records: &[Record]| {
-        records
-            .iter()
-            .map(|r| Track::new(&averaged(r, block, &wrapped, &held_inputs), &plain.model, &p0, hold))
-            .collect::<Result<Vec<_>, _>>()
+        records.iter().map(|r| Track::new(&blocks.averaged(r, block), &plain.model, &p0, hold)).collect::<Result<Vec<_>, _>>()
     };
     let (mut tracks, mut held) = (bind(train)?, bind(test)?);
     if block > 1 {
@@ -88,7 +82,7 @@ pub fn diagnose(
     let rig = &Base { unwatched, ..rig.clone() };
     let plain = prepare(rig, asked, &[], 0)?;
     let ranges: Vec<_> = rig.rig.coordinates.iter().filter_map(|c| Some((c.name.clone(), c.range?))).collect();
-    let all: Vec<Record> = train.iter().chain(test).map(|r| averaged(r, block, &wrapped, &held_inputs)).collect();
+    let all: Vec<Record> = train.iter().chain(test).map(|r| blocks.averaged(r, block)).collect();
     // where the rig's own values cannot even be run, nothing is known of mistakes
     answer.faults = mistaken(&plain, &ranges, &all, hold).unwrap_or_default();
     if !answer.faults.is_empty() {
@@ -100,7 +94,7 @@ pub fn diagnose(
         .iter()
         .map(|r| {
             let block = stride_of_start(&plain, &p0, r);
-            (averaged(r, block, &wrapped, &held_inputs), block == 1)
+            (blocks.averaged(r, block), block == 1)
         })
         .unzip();
     let hold = if held_still.iter().all(|still| *still) { options.hold } else { Hold::First };
@@ -186,7 +180,8 @@ pub fn diagnose(
     if options.next {
         answer.next_experiment = next_experiment(&ask, &answer, &current, unconfirmed.as_ref(), effects, &tracks);
     }
-    finish(rig, &mut answer, &current, &base_parameters, (&rejected, turns), open, train)?;
+    let outcome = Outcome { state: &current, rejected: &rejected, last: turns, open };
+    finish(rig, &mut answer, &base_parameters, &outcome, train)?;
     answer.gap_shrink = shrink(current.fitted.judged(&current.prepared), &held, &answer.before, &answer.after);
     answer.seconds = began.elapsed().as_secs_f64();
     Ok(answer)
@@ -209,10 +204,12 @@ fn finding(effects: &[Effect], one: &Passed) -> Finding {
             equivalent.push(other);
         }
     }
+    // where a number of the shape was fitted, what the screening had set it to is no longer so
+    let refitted = effect.parameters.iter().any(EffectParameter::is_fitted_shape);
     Finding {
         effect: effect.id.clone(),
         place: effect.place.clone(),
-        shape: effect.shape.clone(),
+        shape: effect.shape.clone().filter(|_| !refitted),
         parameters: Vec::new(),
         equivalent,
         p_value: one.is.p_family,

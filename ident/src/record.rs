@@ -13,7 +13,7 @@ mod matching;
 mod table;
 mod text;
 
-pub use blocks::averaged;
+pub use blocks::Blocks;
 pub use error::{Cause, RecordError};
 pub use mat::{MatError, MatValue, Variable, read_mat};
 pub use matching::{Bound, MatchError, bind, bind_signals};

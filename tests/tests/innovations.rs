@@ -3,7 +3,7 @@
 
 use codegen::{Options, derive};
 use ident::innovations::{Column as By, Noise, Track, likeliest, pass};
-use ident::record::{Column, Record, Start};
+use ident::record::{Blocks, Column, Record, Start};
 use jit::InProcess;
 use runtime::Model;
 use sim::{Hold, Signal, Signals, simulate};
@@ -130,6 +130,40 @@ fn the_time_of_a_random_torque_is_found_from_one_that_is_nearly_white() {
         let found = likeliest(&model, std::slice::from_ref(&p), &[track], &white, (1.6, 0.2), 0.1).unwrap();
         // twelve seconds hold some two dozen independent stretches of such a torque
         assert!((0.5 * time..2.5 * time).contains(&found.time[0]) && (0.6 * size..1.6 * size).contains(&found.sd[0]), "{found:?}");
+    }
+}
+
+/// What drives a rig turns faster than blocks are short: straight lines through its means would make a lighter rig likelier.
+#[test]
+fn a_rig_is_as_heavy_in_means_of_blocks_as_in_all_samples() {
+    let model = model();
+    let index = |name: &str| (0..model.dimensions().parameters).find(|&i| model.names().parameter(i) == name).unwrap();
+    let mut p = vec![0.0; model.dimensions().parameters];
+    model.nominal(&mut p);
+    p[index("d")] = 0.0;
+    let inertia = p[index("J")];
+    let t: Vec<f64> = (0..4000).map(|k| 1e-3 * f64::from(k)).collect();
+    let input: Vec<f64> = t.iter().map(|t| (60.0 * t).sin() + 2.0 * (97.0 * t).cos() + (150.0 * t).sin()).collect();
+    let exact = sim::Options { relative: 1e-10, absolute: 1e-12, ..sim::Options::default() };
+    for hold in [Hold::Zero, Hold::First] {
+        let signals = Signals::new(vec![Signal { t: t.clone(), values: input.clone(), hold }]).unwrap();
+        let y = simulate(&model, &p, &[0.3, 1.0], &signals, &t, &exact).unwrap().output(0);
+        let column = |name: &str, values: Vec<f64>| Column { name: name.to_owned(), unit: None, values };
+        let columns = vec![column("V", input.clone()), column("q", y)];
+        let record = Record { source: "fast".to_owned(), t: t.clone(), columns, declared: Vec::new(), start: Start::Free };
+        let blocks = Blocks::of(&model, &p, hold);
+        let track = Track::new(&blocks.averaged(&record, 10), &model, &p, blocks.hold(10)).unwrap();
+        let noise = Noise { entries: vec![index("pushed")], sd: vec![0.001], time: vec![0.2], output_sd: vec![1e-6], dry: Vec::new() };
+        let at = |share: f64| {
+            let mut p = p.clone();
+            p[index("J")] = share * inertia;
+            pass(&model, &p, &track, &noise, &[]).unwrap().unwrap().log_likelihood()
+        };
+        let there = at(1.0);
+        for share in [0.95, 0.99, 1.01, 1.05] {
+            let away = at(share);
+            assert!(there > away + 1.0, "{hold:?}: {there} and at {share} of it {away}");
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::fit::{
     Estimate, Fit, FitError, FitOptions, Identifiable, InitialValue, ParameterSpec, Preparation, check, equation_error, followed_from,
     identifiable, judge, typical, whiteness,
 };
-use crate::record::{Record, averaged};
+use crate::record::{Blocks, Record};
 use nalgebra::DMatrix;
 use runtime::Model;
 use sim::Hold;
@@ -116,8 +116,9 @@ pub fn identify(
     let judged = FitOptions { hold: options.hold, horizon: options.horizon, ..FitOptions::default() };
     check(model, specs, records, &judged)?;
     let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
-    let (all, hold) = (records, if options.block > 1 { Hold::First } else { options.hold });
-    let records = &blocks(model, &nominal, records, options)[..];
+    let blocks = Blocks::of(model, &nominal, options.hold);
+    let (all, hold) = (records, blocks.hold(options.block));
+    let records = &records.iter().map(|r| blocks.averaged(r, options.block)).collect::<Vec<_>>()[..];
     let mut tracks = records.iter().map(|r| Track::new(r, model, &nominal, hold)).collect::<Result<Vec<_>, _>>()?;
     let unknowns =
         specs.iter().filter(|s| s.free).map(|s| if s.per_record { records.len() } else { 1 }).sum::<usize>() + 2 * driven.forces.len();
@@ -206,15 +207,6 @@ pub fn identify(
         _ => None,
     });
     Ok(InnovationsFit { forces: forces.collect(), noise: outputs.collect(), log_likelihood: -cost, fit })
-}
-
-/// Records with blocks of samples averaged.
-fn blocks(model: &dyn Model, p: &[f64], records: &[Record], options: &InnovationsOptions) -> Vec<Record> {
-    let (d, names) = (model.dimensions(), model.names());
-    let wrapped: Vec<String> = (0..d.outputs).filter(|&i| model.output_path(i, p).wrapped).map(|i| names.output(i).to_owned()).collect();
-    let held: Vec<String> =
-        if options.hold == Hold::Zero { (0..d.inputs).map(|i| names.signal(i).to_owned()).collect() } else { Vec::new() };
-    records.iter().map(|r| averaged(r, options.block, &wrapped, &held)).collect()
 }
 
 /// From the rig's values and from those of equation error, whichever records find likelier after a short search; then a long one.
