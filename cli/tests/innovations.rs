@@ -91,6 +91,20 @@ fn what_it_says() {
     insta::assert_snapshot!("refused", String::from_utf8_lossy(&refused.stderr).trim_end());
 }
 
+/// How large a force on what nobody measures is, no record tells.
+#[test]
+fn what_no_record_measures_is_not_pushed() {
+    let folder = folder();
+    let carriage = "coord y: m; equation m * y.ddot = k * (x - y) - c * y.dot; }";
+    std::fs::write(folder.join("cart.rig"), RIG.replace("- k * x; }", &format!("- k * x; {carriage}"))).expect("the rig is written");
+    let output = rig(&folder, &["--free", "m,c", "--json"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && said.contains("no training record measures y: it moves as the model says"), "{said}");
+    let found: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+    let pushed: Vec<&Value> = found["random_forces"].as_array().expect("a list").iter().map(|f| &f["coordinate"]).collect();
+    assert_eq!(pushed, ["x"]);
+}
+
 fn rounded(line: &str) -> String {
     let edge = |c: char| "();,".contains(c);
     let word = |w: &str| match w.trim_matches(edge).parse::<f64>() {

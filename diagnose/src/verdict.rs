@@ -219,3 +219,28 @@ fn reasons(rejected: &[Rejected]) -> String {
     }
     list.join("; ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::unknown_number;
+    use crate::answer::{EffectValue, Finding};
+
+    #[test]
+    fn a_number_of_which_nothing_is_known_is_told() {
+        let number = |name: &str, sd: f64| EffectValue { name: name.to_owned(), record: None, value: 0.3, sd, unit: "rad".to_owned() };
+        let found = |parameters: Vec<EffectValue>| Finding {
+            effect: "hard_stop".to_owned(),
+            place: "q".to_owned(),
+            shape: None,
+            parameters,
+            equivalent: Vec::new(),
+            p_value: 0.0,
+            heldout_gain: (0.1, 0.01),
+            error_ratio: 0.5,
+            per_record: false,
+        };
+        assert_eq!(unknown_number(&[found(vec![number("k", 0.1)])]), None);
+        let said = unknown_number(&[found(vec![number("k", 0.1)]), found(vec![number("k_2", 0.1), number("edge", f64::INFINITY)])]);
+        assert_eq!(said.as_deref(), Some("these records say nothing of edge of hard_stop on q"));
+    }
+}

@@ -22,9 +22,9 @@ use crate::together::{Against, Passed};
 use crate::traces;
 use crate::turn::Search;
 use crate::verdict::{Outcome, finish};
-use crate::watched::{leave_out_unknown, unwatched};
+use crate::watched::leave_out_unknown;
 use ident::fit::ParameterSpec;
-use ident::innovations::{Noise, Track};
+use ident::innovations::{Noise, Track, unwatched};
 use ident::record::{Blocks, Record};
 use runtime::Model;
 use sim::Hold;
@@ -75,7 +75,7 @@ pub fn diagnose(
         return Ok(answer);
     }
 
-    let unwatched = unwatched(&plain, &p0, &tracks);
+    let unwatched = unwatched(&plain.model, &p0, &tracks);
     for &i in &unwatched {
         tell(&format!("  no training record measures {}: it moves as the model says", rig.rig.coordinates[i].name));
     }

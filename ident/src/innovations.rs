@@ -24,6 +24,7 @@ mod noise;
 mod play;
 mod smooth;
 mod transition;
+mod watched;
 
 pub use ahead::{Ahead, ahead};
 pub use estimate::{EstimateOptions, Estimated, TAIL, Unknown, estimate, likelihood};
@@ -31,3 +32,4 @@ pub use filter::{Column, Gains, Pass, Shape, Track, pass, wander};
 pub use identify::{Driven, InnovationsFit, InnovationsOptions, OutputNoise, Positive, RandomForce, identify};
 pub use noise::{Dry, Level, Noise, likeliest};
 pub use smooth::{Smoothed, smooth};
+pub use watched::unwatched;

@@ -10,7 +10,7 @@ use codegen::Options;
 use diagnose::forces::{dry_frictions, with_forces};
 use diagnose::patch::Base;
 use ident::fit::ParameterSpec;
-use ident::innovations::{Driven, InnovationsFit, InnovationsOptions, Positive, identify};
+use ident::innovations::{Driven, InnovationsFit, InnovationsOptions, Positive, Track, identify, unwatched};
 use ident::record::Record;
 use jit::InProcess;
 use serde_json::{Value, json};
@@ -30,14 +30,25 @@ pub fn run(args: &Identify, loaded: Loaded, asked: &[ParameterSpec], (records, t
             None => spec.free = false,
         }
     }
-    let entries: Vec<(String, usize)> = forces
-        .iter()
-        .filter_map(|f| Some((base.rig.coordinates[f.coordinate].name.clone(), specs.iter().position(|s| s.name == f.parameter)?)))
-        .collect();
-    let coordinates: Vec<usize> = forces.iter().map(|f| f.coordinate).collect();
-    let driven = Driven { forces: entries, dry: dry_frictions(&pushed.rig, &coordinates) };
     let options =
         InnovationsOptions { hold: args.hold.into(), horizon: args.horizon, block: args.decimate.max(1), ..InnovationsOptions::default() };
+    let nominal: Vec<f64> = specs.iter().map(|s| s.value).collect();
+    let tracks = records
+        .iter()
+        .map(|r| Track::new(r, &model, &nominal, options.hold))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|e| Failure::new("C0504", e.to_string()))?;
+    let unwatched = unwatched(&model, &nominal, &tracks);
+    for &i in &unwatched {
+        eprintln!("no training record measures {}: it moves as the model says", base.rig.coordinates[i].name);
+    }
+    let entries: Vec<(String, usize)> = forces
+        .iter()
+        .filter(|f| !unwatched.contains(&f.coordinate))
+        .filter_map(|f| Some((base.rig.coordinates[f.coordinate].name.clone(), specs.iter().position(|s| s.name == f.parameter)?)))
+        .collect();
+    let coordinates: Vec<usize> = forces.iter().map(|f| f.coordinate).filter(|i| !unwatched.contains(i)).collect();
+    let driven = Driven { forces: entries, dry: dry_frictions(&pushed.rig, &coordinates) };
     eprintln!(
         "fitting {} parameters and the sizes of random forces on {} coordinates to {} records ..",
         specs.iter().filter(|s| s.free).count(),
