@@ -203,7 +203,7 @@ pub fn refit(
     base: &Base,
     included: &[Included],
     from: &Fitted,
-    (tracks, held): (&mut [Track], &[Track]),
+    (tracks, held): (&[Track], &[Track]),
     thorough: bool,
 ) -> Result<(Arc<Prepared>, Fitted), DiagnoseError> {
     let prepared = prepare(base, &from.asked, included, included.len())?;

@@ -27,7 +27,7 @@ pub(crate) struct Ended<'a> {
 ///
 /// # Errors
 /// [`DiagnoseError`] where a record cannot be followed.
-pub(crate) fn search<'a>(begin: &dyn Fn() -> Search<'a>, tracks: &mut [Track]) -> Result<Ended<'a>, DiagnoseError> {
+pub(crate) fn search<'a>(begin: &dyn Fn() -> Search<'a>, tracks: &[Track]) -> Result<Ended<'a>, DiagnoseError> {
     let one = explore(begin(), tracks)?;
     let options = one.search.ask.options;
     if options.until == Step::Screen || !options.method.other_records || !unfinished(&one) {
@@ -54,7 +54,7 @@ pub(crate) fn near_text<'a>(
     ask: Question<'a>,
     against: Against<'a>,
     one: &Ended<'_>,
-    tracks: &mut [Track],
+    tracks: &[Track],
 ) -> Result<Option<Ended<'a>>, DiagnoseError> {
     let held = against.held;
     (ask.options.progress)("once more, with lengths and masses near the text ..");
@@ -71,7 +71,7 @@ pub(crate) fn near_text<'a>(
 }
 
 /// Turns until nothing more joins.
-fn explore<'a>(mut search: Search<'a>, tracks: &mut [Track]) -> Result<Ended<'a>, DiagnoseError> {
+fn explore<'a>(mut search: Search<'a>, tracks: &[Track]) -> Result<Ended<'a>, DiagnoseError> {
     let options = search.ask.options;
     let effects = search.against.effects;
     let mut first = None;

@@ -174,7 +174,7 @@ impl State {
         left: &[&Effect],
         round: &Round,
         (i, from): (usize, &Fitted),
-        (tracks, held): (&mut [Track], &[Track]),
+        (tracks, held): (&[Track], &[Track]),
     ) -> Option<Tried> {
         let score = &round.scores[i];
         let step: Vec<f64> = score.step.iter().map(|s| s.0).collect();
@@ -184,7 +184,7 @@ impl State {
     }
 
     /// The significant candidates that explain most, refitted in a hurry; the best first.
-    pub fn try_best(&self, ask: &Question<'_>, left: &[&Effect], round: &Round, tracks: &mut [Track], held: &[Track]) -> Vec<Tried> {
+    pub fn try_best(&self, ask: &Question<'_>, left: &[&Effect], round: &Round, tracks: &[Track], held: &[Track]) -> Vec<Tried> {
         let options = ask.options;
         let scores = &round.scores[..left.len()];
         let order = self.speaking(ask, left, round);
@@ -211,7 +211,7 @@ impl State {
             let mut included = self.accepted.clone();
             included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
-            let gone_on = self.hurried(ask, included, index, &self.fitted, (&mut *tracks, held));
+            let gone_on = self.hurried(ask, included, index, &self.fitted, (tracks, held));
             let anew = if self.fitted.lost { self.begun_anew(ask, left[index], index, (tracks, held)) } else { None };
             let Some(found) = gone_on.into_iter().chain(anew).max_by(|a, b| a.value.total_cmp(&b.value)) else { continue };
             // a resonance that is damped away is none, and casts no shadow on others
@@ -253,7 +253,7 @@ impl State {
     }
 
     /// The same effect with a value for each record.
-    pub fn of_the_day(&self, ask: &Question<'_>, left: &[&Effect], t: &Tried, tracks: &mut [Track], held: &[Track]) -> Option<Tried> {
+    pub fn of_the_day(&self, ask: &Question<'_>, left: &[&Effect], t: &Tried, tracks: &[Track], held: &[Track]) -> Option<Tried> {
         let sibling = |i: usize| left.iter().position(|e| e.by_record && e.id == left[i].id && e.place == left[i].place);
         let index = sibling(t.index)?;
         let start: Vec<f64> = t.prepared.of_effect.last()?.iter().map(|&i| t.fitted.mean()[i]).collect();
@@ -279,7 +279,7 @@ impl State {
         included: Vec<Included>,
         index: usize,
         from: &Fitted,
-        (tracks, held): (&mut [Track], &[Track]),
+        (tracks, held): (&[Track], &[Track]),
     ) -> Option<Tried> {
         let refitted = refit(ask.base, &included, from, (tracks, held), false);
         let why = |e: &DiagnoseError| {
@@ -297,18 +297,18 @@ impl State {
         left: &[&Effect],
         round: &Round,
         t: &mut Tried,
-        tracks: &mut [Track],
+        tracks: &[Track],
         held: &[Track],
     ) -> Result<(), DiagnoseError> {
-        thorough(ask, t, (&mut *tracks, held));
+        thorough(ask, t, (tracks, held));
         let total = |tried: &Tried, noise: &Noise| total(&tried.prepared, &tried.fitted, noise, held);
         let mut rivals = vec![(t.index, total(t, &t.fitted.found.noise)?)];
         for i in std::mem::take(&mut t.equivalent) {
-            let Some(mut rival) = self.with(ask, left, round, (i, &t.fitted), (&mut *tracks, held)) else { continue };
+            let Some(mut rival) = self.with(ask, left, round, (i, &t.fitted), (tracks, held)) else { continue };
             let worth = total(&rival, &t.fitted.found.noise)?;
             let best = rivals[0].1;
             rivals.push((i, worth));
-            if worth > best + SEPARATES && thorough(ask, &mut rival, (&mut *tracks, held)) {
+            if worth > best + SEPARATES && thorough(ask, &mut rival, (tracks, held)) {
                 *t = rival;
                 rivals.swap_remove(0);
                 rivals.insert(0, (i, total(t, &t.fitted.found.noise)?));
@@ -383,7 +383,7 @@ fn writable(base: &Base, t: &Tried) -> Result<(), DiagnoseError> {
 }
 
 /// Refits to the end.
-fn thorough(ask: &Question<'_>, t: &mut Tried, (tracks, held): (&mut [Track], &[Track])) -> bool {
+fn thorough(ask: &Question<'_>, t: &mut Tried, (tracks, held): (&[Track], &[Track])) -> bool {
     let Ok((prepared, fitted)) = refit(ask.base, &t.included, &t.fitted, (tracks, held), true) else { return false };
     (t.prepared, t.fitted) = (prepared, fitted);
     true

@@ -46,14 +46,14 @@ pub(crate) fn in_place_of(
     ask: &Question<'_>,
     current: &State,
     &Against { effects, held, horizon }: &Against<'_>,
-    tracks: &mut [Track],
+    tracks: &[Track],
 ) -> Result<Place, DiagnoseError> {
     let tell = ask.options.progress;
     let nothing = || Ok(Place::AsLikely(Vec::new()));
     let own = &current.accepted[out].effect;
     let mut fewer = current.accepted.clone();
     fewer.remove(out);
-    let Ok((prepared, fitted)) = refit(ask.base, &fewer, &current.fitted, (&mut *tracks, held), false) else { return nothing() };
+    let Ok((prepared, fitted)) = refit(ask.base, &fewer, &current.fitted, (tracks, held), false) else { return nothing() };
     let without = State { prepared, fitted, accepted: fewer };
     let numbers = without.open(effects);
     let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
@@ -66,7 +66,7 @@ pub(crate) fn in_place_of(
     let before = worth(&current.prepared, &current.fitted)?;
     if worth(&without.prepared, &without.fitted)? >= before {
         tell(&format!("  dropped again: {}", own.title()));
-        let (prepared, fitted) = refit(ask.base, &without.accepted, &without.fitted, (&mut *tracks, held), true)?;
+        let (prepared, fitted) = refit(ask.base, &without.accepted, &without.fitted, (tracks, held), true)?;
         return Ok(Place::Empty(Box::new(State { prepared, fitted, ..without })));
     }
     let mut rivals: Vec<(f64, Tried)> = Vec::new();
@@ -74,7 +74,7 @@ pub(crate) fn in_place_of(
     let nearest = kin.simplest((0..left.len()).filter(others));
     let likely = without.speaking(ask, &left, &round).into_iter().filter(others).filter(|&i| Some(i) != nearest && kin.rivals(i));
     for i in nearest.into_iter().chain(likely.take(RIVALS)) {
-        let Some(rival) = without.with(ask, &left, &round, (i, &without.fitted), (&mut *tracks, held)) else { continue };
+        let Some(rival) = without.with(ask, &left, &round, (i, &without.fitted), (tracks, held)) else { continue };
         let own = worth(&rival.prepared, &rival.fitted)?;
         // a hurried fit may lack as much
         if own > before - 2.0 * SEPARATES {

@@ -62,7 +62,7 @@ pub(crate) fn together(
     ask: &Question<'_>,
     first: Refused,
     against: &Against<'_>,
-    tracks: &mut [Track],
+    tracks: &[Track],
 ) -> Result<Option<(State, Vec<Passed>)>, DiagnoseError> {
     let Against { effects, held, horizon } = *against;
     let tell = ask.options.progress;
@@ -114,7 +114,7 @@ fn all_pass(
     before: usize,
     group: &mut [Passed],
     &Against { held, horizon, .. }: &Against<'_>,
-    tracks: &mut [Track],
+    tracks: &[Track],
 ) -> Result<bool, DiagnoseError> {
     let last = group.len() - 1;
     if group[last].verdict.refused.is_some() {
@@ -123,12 +123,12 @@ fn all_pass(
     for (k, member) in group[..last].iter_mut().enumerate() {
         let mut fewer = state.accepted.clone();
         let own = fewer.remove(before + k);
-        let Ok((without, fitted_without)) = refit(ask.base, &fewer, &state.fitted, (&mut *tracks, held), true) else {
+        let Ok((without, fitted_without)) = refit(ask.base, &fewer, &state.fitted, (tracks, held), true) else {
             return Ok(false);
         };
         // the whole group again, with the one that is asked in the last place
         fewer.push(own);
-        let Ok((prepared, fitted)) = refit(ask.base, &fewer, &state.fitted, (&mut *tracks, held), false) else {
+        let Ok((prepared, fitted)) = refit(ask.base, &fewer, &state.fitted, (tracks, held), false) else {
             return Ok(false);
         };
         let tried = Tried { index: 0, value: 0.0, included: fewer, prepared, fitted, equivalent: Vec::new() };

@@ -78,7 +78,7 @@ impl<'a> Search<'a> {
     }
 
     /// One turn; says whether there should be another.
-    pub fn turn(&mut self, (numbers, round): (&[usize], &Round), tracks: &mut [Track]) -> Result<bool, DiagnoseError> {
+    pub fn turn(&mut self, (numbers, round): (&[usize], &Round), tracks: &[Track]) -> Result<bool, DiagnoseError> {
         let joined = self.join(numbers, round, tracks)?;
         let last = joined.is_none();
         if let Some((state, passed)) = joined {
@@ -101,7 +101,7 @@ impl<'a> Search<'a> {
     }
 
     /// The first of the best that stands the test, or a group that does.
-    fn join(&mut self, numbers: &[usize], round: &Round, tracks: &mut [Track]) -> Result<Option<(State, Vec<Passed>)>, DiagnoseError> {
+    fn join(&mut self, numbers: &[usize], round: &Round, tracks: &[Track]) -> Result<Option<(State, Vec<Passed>)>, DiagnoseError> {
         let Against { effects, held, horizon } = self.against;
         let options = self.ask.options;
         let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
@@ -175,7 +175,7 @@ impl<'a> Search<'a> {
 
     /// Swaps what stands for another one; the latest waits for what may be missing beside it, until it is the `last`. Then those that are as
     /// likely are named beside it. Says whether anything was swapped.
-    fn settle(&mut self, last: bool, tracks: &mut [Track]) -> Result<bool, DiagnoseError> {
+    fn settle(&mut self, last: bool, tracks: &[Track]) -> Result<bool, DiagnoseError> {
         if !self.ask.options.method.other_records {
             return Ok(false);
         }
@@ -214,7 +214,7 @@ impl<'a> Search<'a> {
     }
 
     /// Drops an earlier effect that is no longer there.
-    fn drop_superfluous(&mut self, tracks: &mut [Track]) {
+    fn drop_superfluous(&mut self, tracks: &[Track]) {
         let Some(out) = self.current.superfluous().filter(|out| out + 1 < self.passed.len()) else { return };
         (self.ask.options.progress)(&format!("  dropped again: {}", self.current.accepted[out].effect.title()));
         let mut fewer = self.current.accepted.clone();

@@ -147,7 +147,7 @@ pub fn diagnose(
     let against = Against { effects: &effects, held: &held, horizon };
     let ask = Question { base: rig, starting: &starting, options };
     let begin = || Search::new(ask, against, base.clone());
-    let mut ended = beginning::search(&begin, &mut tracks)?;
+    let mut ended = beginning::search(&begin, &tracks)?;
     let (numbers, round) = &ended.first;
     let left: Vec<&Effect> = numbers.iter().map(|&i| &effects[i]).collect();
     answer.candidates = listed(&left, round);
@@ -159,7 +159,7 @@ pub fn diagnose(
     let others: Vec<Effect> = effects.iter().filter(|e| !is_of_a_body(e)).cloned().collect();
     if let Some(worst) = far.first().filter(|_| options.until == Step::Patch) {
         let ask = Question { base: rig, starting: &near, options };
-        if let Some(other) = beginning::near_text(ask, Against { effects: &others, ..against }, &ended, &mut tracks)? {
+        if let Some(other) = beginning::near_text(ask, Against { effects: &others, ..against }, &ended, &tracks)? {
             let had = &ended.search.current.accepted;
             let new = other.search.current.accepted.iter().filter(|i| had.iter().all(|had| had.effect != i.effect));
             let instead = worst.words_instead(&new.map(|i| i.effect.title()).collect::<Vec<_>>().join(", "));
