@@ -12,6 +12,7 @@ use crate::screen::{SAME, Score, ScreenOptions, Seen, UNIQUE, cosine, screen};
 use crate::shapes::{uneven, unnamed};
 use ident::fit::ParameterSpec;
 use ident::innovations::{Noise, Track};
+use ident::parallel::in_parallel;
 use runtime::Model;
 use std::sync::Arc;
 
@@ -203,17 +204,21 @@ impl State {
             }
         }
         few.extend(&dry);
-        let mut tried: Vec<Tried> = Vec::new();
-        for index in few {
-            let finite = dry.contains(&index);
-            let step: Vec<f64> =
-                if finite { vec![pushed(index).map_or(0.0, |k| level[k])] } else { scores[index].step.iter().map(|s| s.0).collect() };
+        let refitted = in_parallel(&few, |_, &index| {
+            let step: Vec<f64> = match pushed(index) {
+                Some(k) if dry.contains(&index) => vec![level[k]],
+                _ => scores[index].step.iter().map(|s| s.0).collect(),
+            };
             let mut included = self.accepted.clone();
             included.push(include(left[index], &step, untold(&scores[index]), tracks));
             (options.progress)(&format!("  refitting with {} ..", left[index].title()));
             let gone_on = self.hurried(ask, included, index, &self.fitted, (tracks, held));
             let anew = if self.fitted.lost { self.begun_anew(ask, left[index], index, (tracks, held)) } else { None };
-            let Some(found) = gone_on.into_iter().chain(anew).max_by(|a, b| a.value.total_cmp(&b.value)) else { continue };
+            gone_on.into_iter().chain(anew).max_by(|a, b| a.value.total_cmp(&b.value))
+        });
+        let mut tried: Vec<Tried> = Vec::new();
+        for found in refitted.into_iter().flatten() {
+            let index = found.index;
             // a resonance that is damped away is none, and casts no shadow on others
             if matches!(left[index].signature, Signature::Resonance(_))
                 && let Some(why) = absurd(&found)
@@ -223,7 +228,7 @@ impl State {
             }
             // judged by its likelihood ratio, as one of the family
             let ratio = 2.0 * (found.fitted.found.log_likelihood - self.fitted.found.log_likelihood);
-            if finite && beyond(ratio, scores[index].degrees.max(1)) * left.len() as f64 > options.family {
+            if dry.contains(&index) && beyond(ratio, scores[index].degrees.max(1)) * left.len() as f64 > options.family {
                 continue;
             }
             tried.push(found);

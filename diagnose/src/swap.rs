@@ -10,6 +10,7 @@ use crate::screen::{SAME, Score, between, cosine};
 use crate::search::{Question, SEPARATES, State, worth};
 use crate::together::{Against, Candidate, Passed, predicted};
 use ident::innovations::Track;
+use ident::parallel::in_parallel;
 
 /// Others that are tried in an effect's place.
 const RIVALS: usize = 3;
@@ -73,8 +74,9 @@ pub(crate) fn in_place_of(
     let others = |i: &usize| !is_own(*i);
     let nearest = kin.simplest((0..left.len()).filter(others));
     let likely = without.speaking(ask, &left, &round).into_iter().filter(others).filter(|&i| Some(i) != nearest && kin.rivals(i));
-    for i in nearest.into_iter().chain(likely.take(RIVALS)) {
-        let Some(rival) = without.with(ask, &left, &round, (i, &without.fitted), (tracks, held)) else { continue };
+    let few: Vec<usize> = nearest.into_iter().chain(likely.take(RIVALS)).collect();
+    let refitted = in_parallel(&few, |_, &i| without.with(ask, &left, &round, (i, &without.fitted), (tracks, held)));
+    for rival in refitted.into_iter().flatten() {
         let own = worth(&rival.prepared, &rival.fitted)?;
         // a hurried fit may lack as much
         if own > before - 2.0 * SEPARATES {

@@ -10,7 +10,7 @@ pub mod compare;
 pub mod excitation;
 pub mod fit;
 pub mod innovations;
-mod parallel;
+pub mod parallel;
 pub mod preflight;
 pub mod record;
 pub mod spectrum;
