@@ -47,7 +47,7 @@ mod tests {
     fn answers_stand_in_the_order_of_the_list_however_long_each_takes() {
         let items: Vec<u64> = (0..40).collect();
         let slow = |i: usize, item: &u64| {
-            std::thread::sleep(std::time::Duration::from_micros(if i % 7 == 0 { 900 } else { 10 }));
+            std::thread::sleep(std::time::Duration::from_micros(if i.is_multiple_of(7) { 900 } else { 10 }));
             item * item
         };
         assert_eq!(in_parallel(&items, slow), items.iter().map(|i| i * i).collect::<Vec<_>>());
