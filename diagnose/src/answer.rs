@@ -247,3 +247,29 @@ pub struct Diagnosis {
     /// Seconds.
     pub seconds: f64,
 }
+
+impl Diagnosis {
+    /// Before anything is known.
+    pub(crate) fn empty() -> Self {
+        Self {
+            verdict: Verdict::NoGap,
+            because: String::new(),
+            faults: Vec::new(),
+            places: Vec::new(),
+            findings: Vec::new(),
+            candidates: Vec::new(),
+            screening_p: 1.0,
+            published: Figures::default(),
+            before: Figures::default(),
+            after: Figures::default(),
+            gap_shrink: Vec::new(),
+            moved: Vec::new(),
+            noise: None,
+            next_experiment: None,
+            patched: Vec::new(),
+            pushed: Vec::new(),
+            runs: Vec::new(),
+            seconds: 0.0,
+        }
+    }
+}

@@ -12,6 +12,7 @@ use crate::effects::{Effect, Signature};
 use crate::model::Prepared;
 use ident::fit::FitError;
 use ident::innovations::{Column, Noise, Pass, Shape, TAIL, Track, pass};
+use ident::parallel::in_parallel;
 use ident::spectrum::{of_symmetric, pseudo_inverse};
 use model_dsl::rig::{Expr, Friction, Symbol};
 use nalgebra::{DMatrix, DVector};
@@ -262,11 +263,7 @@ fn strains(candidate: &Seen<'_>, prepared: &Prepared, p: &[Vec<f64>], tracks: &[
 }
 
 fn passes(model: &dyn Model, p: &[Vec<f64>], tracks: &[Track], noise: &Noise, columns: &[Of<'_>]) -> Result<Vec<Pass>, FitError> {
-    let each: Vec<_> = std::thread::scope(|scope| {
-        let run = |r: usize| scope.spawn(move || pass(model, &p[r], &tracks[r], noise, &of_record(columns, r)));
-        let running: Vec<_> = (0..tracks.len()).map(run).collect();
-        running.into_iter().map(|handle| handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
-    });
+    let each = in_parallel(tracks, |r, track| pass(model, &p[r], track, noise, &of_record(columns, r)));
     let mut found = Vec::new();
     for (one, track) in each.into_iter().zip(tracks) {
         found.push(one?.ok_or(FitError::NoStart { file: track.source().to_owned(), status: None })?);

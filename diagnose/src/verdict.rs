@@ -70,7 +70,7 @@ pub(crate) fn finish(
         .collect();
     answer.noise = Some(state.fitted.found.noise.clone());
     say_what_became(&mut answer.candidates, &answer.findings, outcome.rejected);
-    (answer.verdict, answer.because) = decide(answer, outcome);
+    (answer.verdict, answer.because) = decide(answer, (outcome.rejected, outcome.last), &outcome.open);
     if !answer.findings.is_empty() {
         let files = compose(base, &written(state, &answer.findings), &[])?;
         check(&files, &base.rig.name)?;
@@ -109,18 +109,21 @@ fn say_what_became(candidates: &mut [Candidate], findings: &[Finding], rejected:
 }
 
 /// The verdict, and why.
-fn decide(answer: &Diagnosis, outcome: &Outcome<'_>) -> (Verdict, String) {
-    let StillOpen { left_over, unseen, strained } = &outcome.open;
+fn decide(
+    answer: &Diagnosis,
+    (rejected, last): (&[Rejected], usize),
+    StillOpen { left_over, unseen, strained }: &StillOpen,
+) -> (Verdict, String) {
     let words = left_over.as_ref().map(|w| format!("; left over: {w}")).unwrap_or_default();
     // what the last model still leaves open
-    let open: Vec<&Rejected> = outcome.rejected.iter().filter(|r| r.significant && r.turn == outcome.last).collect();
+    let open: Vec<&Rejected> = rejected.iter().filter(|r| r.significant && r.turn == last).collect();
     let untold: Vec<String> = open.iter().filter(|r| matches!(r.why, Refusal::Untold(_))).map(|r| r.effect.title()).collect();
     let contradicted = open.iter().any(|r| !matches!(r.why, Refusal::Untold(_)));
     let (verdict, mut because) = if answer.findings.is_empty() {
         if contradicted {
             (
                 Verdict::OutsideCatalogue,
-                format!("there is a gap, but no candidate stands the test on other records: {}{words}", reasons(outcome.rejected)),
+                format!("there is a gap, but no candidate stands the test on other records: {}{words}", reasons(rejected)),
             )
         } else if !untold.is_empty() {
             (
@@ -222,25 +225,34 @@ fn reasons(rejected: &[Rejected]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::unknown_number;
-    use crate::answer::{EffectValue, Finding};
+    use super::{StillOpen, decide};
+    use crate::answer::{Diagnosis, EffectValue, Finding, Verdict};
 
     #[test]
-    fn a_number_of_which_nothing_is_known_is_told() {
-        let number = |name: &str, sd: f64| EffectValue { name: name.to_owned(), record: None, value: 0.3, sd, unit: "rad".to_owned() };
-        let found = |parameters: Vec<EffectValue>| Finding {
-            effect: "hard_stop".to_owned(),
-            place: "q".to_owned(),
-            shape: None,
-            parameters,
-            equivalent: Vec::new(),
-            p_value: 0.0,
-            heldout_gain: (0.1, 0.01),
-            error_ratio: 0.5,
-            per_record: false,
+    fn a_number_of_which_nothing_is_known_is_told_and_no_diagnosis_with_it_is_complete() {
+        let decided = |sd: f64, equivalent: &[(&str, &str)]| {
+            let number = |name: &str, sd: f64| EffectValue { name: name.to_owned(), record: None, value: 0.3, sd, unit: "rad".to_owned() };
+            let finding = Finding {
+                effect: "hard_stop".to_owned(),
+                place: "q".to_owned(),
+                shape: None,
+                parameters: vec![number("k", 0.1), number("edge", sd)],
+                equivalent: equivalent.iter().map(|(id, place)| ((*id).to_owned(), (*place).to_owned())).collect(),
+                p_value: 0.0,
+                heldout_gain: (0.1, 0.01),
+                error_ratio: 0.5,
+                per_record: false,
+            };
+            let open = StillOpen { left_over: None, unseen: None, strained: None };
+            decide(&Diagnosis { findings: vec![finding], ..Diagnosis::empty() }, (&[], 0), &open)
         };
-        assert_eq!(unknown_number(&[found(vec![number("k", 0.1)])]), None);
-        let said = unknown_number(&[found(vec![number("k", 0.1)]), found(vec![number("k_2", 0.1), number("edge", f64::INFINITY)])]);
-        assert_eq!(said.as_deref(), Some("these records say nothing of edge of hard_stop on q"));
+        assert_eq!(decided(0.1, &[]).0, Verdict::Complete);
+        let (verdict, because) = decided(f64::INFINITY, &[]);
+        assert_eq!((verdict, because.as_str()), (Verdict::Partial, "these records say nothing of edge of hard_stop on q"));
+        let (verdict, because) = decided(f64::INFINITY, &[("spring", "q")]);
+        assert!(
+            verdict == Verdict::Partial && because.ends_with("besides, these records cannot tell hard_stop on q from spring on q"),
+            "{because}"
+        );
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! look at the records -> fit the base -> where -> screen -> refit the few best -> accept one or none -> again -> verdict -> patch.
 
-use crate::answer::{Candidate, Diagnosis, Figures, Finding, Verdict};
+use crate::answer::{Candidate, Diagnosis, Finding, Verdict};
 use crate::base_fit::{Starting, fit_base};
 use crate::beginning::{self, Ended};
 use crate::effects::{Effect, EffectParameter, IDS, Scales, by_record, catalogue};
@@ -47,7 +47,7 @@ pub fn diagnose(
     if test.is_empty() && options.method.other_records && options.until == Step::Patch {
         return Err(DiagnoseError::NoTest);
     }
-    let mut answer = empty();
+    let mut answer = Diagnosis::empty();
     let plain = prepare(rig, asked, &[], 0)?;
     let p0: Vec<f64> = plain.specs.iter().map(|s| s.value).collect();
     let clean = |records: &[Record]| records.iter().map(|r| mended(&plain, &p0, r)).collect::<Vec<_>>();
@@ -247,29 +247,6 @@ fn in_words(prepared: &Prepared, noise: &Noise) -> String {
     });
     let outputs = noise.output_sd.iter().enumerate().map(|(i, sd)| format!("{} {sd:.2e} {}", names.output(i), names.output_unit(i)));
     format!("random forces {}; outputs {}", forces.collect::<Vec<_>>().join(", "), outputs.collect::<Vec<_>>().join(", "))
-}
-
-fn empty() -> Diagnosis {
-    Diagnosis {
-        verdict: Verdict::NoGap,
-        because: String::new(),
-        faults: Vec::new(),
-        places: Vec::new(),
-        findings: Vec::new(),
-        candidates: Vec::new(),
-        screening_p: 1.0,
-        published: Figures::default(),
-        before: Figures::default(),
-        after: Figures::default(),
-        gap_shrink: Vec::new(),
-        moved: Vec::new(),
-        noise: None,
-        next_experiment: None,
-        patched: Vec::new(),
-        pushed: Vec::new(),
-        runs: Vec::new(),
-        seconds: 0.0,
-    }
 }
 
 /// The effects that are asked for.
